@@ -49,29 +49,34 @@ StressDeficit::Weights StressDeficit::weights(double log_wall) const {
 
 double StressDeficit::third(double log_wall) {
     reserve(log_wall);
-    const auto [a, b, newtonian] = weights(log_wall);
-    const double cross = 1.0 - newtonian;
+    const Weights w = weights(log_wall);
+    const double a = w.a;
+    const double b = w.b;
+    const double mean = w.newtonian;
+    const double* const weight = weight_.data();
+    const double* const plain = newtonian_.data();
+    const double* const thinning = thinning_.data();
+    const double* const decay = decay_.data();
     const std::size_t n = node_count(log_wall);
     double sum = 0.0;
 #pragma omp simd reduction(+ : sum)
     for (std::size_t i = 0; i < n; ++i) {
-        const double deficit =
-            newtonian * newtonian_[i] + cross * (a * newtonian_[i] + b * thinning_[i]) / (a + b * decay_[i]);
+        const double cross = (a * plain[i] + b * thinning[i]) / (a + b * decay[i]);
+        const double deficit = mean * plain[i] + (1.0 - mean) * cross;
         const double q = 1.0 - deficit;
-        sum += weight_[i] * deficit * (1.0 + q + q * q);
+        sum += weight[i] * deficit * (1.0 + q + q * q);
     }
     return sum;
 }
 
 DeficitIntegrals StressDeficit::integrals(double log_wall) {
     reserve(log_wall);
-    const auto [a, b, newtonian] = weights(log_wall);
-    const double cross = 1.0 - newtonian;
+    const Weights w = weights(log_wall);
     const std::size_t n = node_count(log_wall);
     DeficitIntegrals sum{};
     for (std::size_t i = 0; i < n; ++i) {
-        const double deficit =
-            newtonian * newtonian_[i] + cross * (a * newtonian_[i] + b * thinning_[i]) / (a + b * decay_[i]);
+        const double cross = (w.a * newtonian_[i] + w.b * thinning_[i]) / (w.a + w.b * decay_[i]);
+        const double deficit = w.newtonian * newtonian_[i] + (1.0 - w.newtonian) * cross;
         const double q = 1.0 - deficit;
         sum.first += weight_[i] * deficit;
         sum.second += weight_[i] * deficit * (1.0 + q);

@@ -39,21 +39,44 @@ StressDeficit& deficit_of(const CrossInk& ink) {
     throw NoSteadyFlow(message.str());
 }
 
+/// d ln τ/d ln γ̇ at x = e^{log_x}: the exponent of the power law that touches the ink's curve there.
+double local_index(const CrossInk& ink, double log_x) {
+    const double e = ink.eta_inf / ink.eta0;
+    const double y = std::exp(ink.alpha * log_x);
+    return 1.0 - ink.alpha * (1.0 - e) / (e * (1.0 + y) + 1.0 - e) / (1.0 + 1.0 / y);
+}
+
+/// A power-law ink flows with x_w = (3 + 1/n) K u_avg/R; two steps with the local n come within a few per
+/// cent.
+double first_guess(const CrossInk& ink, double log_reduced_velocity, double top) {
+    double log_wall = std::min(log_reduced_velocity + std::log(4.0), top);
+    for (int i = 0; i < 2; ++i) {
+        const double n = std::max(local_index(ink, log_wall), 0.05);
+        log_wall = std::min(log_reduced_velocity + std::log(3.0 + 1.0 / n), top);
+    }
+    return log_wall;
+}
+
 /// ln(K γ̇_w) of an average velocity: the root of x_w D(x_w) = 3 K u_avg/R, D = ∫(1−q³)dx/x_w.
 double log_wall_rate(const CrossInk& ink, double radius, double velocity_average) {
     StressDeficit& deficit = deficit_of(ink);
-    const double target =
-        std::log(3.0) + std::log(ink.time_constant) + std::log(velocity_average) - std::log(radius);
-    const auto f = [&](double log_wall) { return log_wall + std::log(deficit.third(log_wall)) - target; };
+    const double log_velocity = std::log(ink.time_constant) + std::log(velocity_average) - std::log(radius);
+    const double target = log_velocity + std::log(3.0);
+    // d ln(x_w D)/d ln x_w = 3 n (1 − D)/D, from differentiating x_w D = x_w − t_w⁻³ ∫t³ dx.
+    const auto f = [&](double log_wall) -> ValueAndSlope {
+        const double d = deficit.third(log_wall);
+        return {log_wall + std::log(d) - target, 3.0 * local_index(ink, log_wall) * (1.0 - d) / d};
+    };
     const double top =
         std::min(std::log(largest_stable_rate(ink)) + std::log(ink.time_constant), log_wall_limit);
-
     const double low = target - 1e-9 * (1.0 + std::abs(target));  // D ≤ 1, so x_w ≥ 3 K u_avg/R
     if (low > top) refuse(ink, velocity_average, top);
-    double high = low;
-    for (double step = 0.5; high < top && f(high) < 0.0; step *= 2.0) high = std::min(top, high + step);
-    if (f(high) < 0.0) refuse(ink, velocity_average, top);
-    return find_root(f, {low, high}, {.absolute = 1e-15, .relative = 1e-15});
+
+    const double guess = std::max(first_guess(ink, log_velocity, top), low);
+    double high = std::min(guess + 0.5, top);
+    for (double step = 1.0; high < top && f(high).value < 0.0; step *= 2.0) high = std::min(top, high + step);
+    if (high == top && f(high).value < 0.0) refuse(ink, velocity_average, top);
+    return find_increasing_root(f, {low, high}, guess);
 }
 
 double area(double radius) {

@@ -69,14 +69,16 @@ double rate_at_stress(const CrossInk& ink, double stress) {
     if (ink.alpha == 0.0) return stress / (0.5 * (ink.eta0 + ink.eta_inf));
 
     const double log_t = std::log(ink.time_constant) + std::log(stress) - std::log(ink.eta0);
-    const auto f = [&](double log_x) { return log_reduced_stress(log_x, ink.alpha, e) - log_t; };
+    const auto f = [&](double log_x) -> ValueAndSlope {
+        return {log_reduced_stress(log_x, ink.alpha, e) - log_t, local_index(log_x, ink.alpha, e)};
+    };
     const double top = std::min(std::log(largest_stable_x(ink.alpha, e)), log_x_limit);
     // t ≤ x, so x ≥ t; the margin outlasts rounding.
     const double low = log_t - 1e-9 * (1.0 + std::abs(log_t));
     double high = low;
-    for (double step = 1.0; high < top && f(high) < 0.0; step *= 2.0) high = std::min(top, high + step);
-    if (low > top || f(high) < 0.0) refuse(ink, stress, top);
-    const double log_x = find_root(f, {low, high}, {.absolute = 1e-15, .relative = 1e-15});
+    for (double step = 1.0; high < top && f(high).value < 0.0; step *= 2.0) high = std::min(top, high + step);
+    if (low > top || f(high).value < 0.0) refuse(ink, stress, top);
+    const double log_x = find_increasing_root(f, {low, high}, low);
     if (local_index(log_x, ink.alpha, e) < saturated_index) refuse(ink, stress, top);
     return std::exp(log_x) / ink.time_constant;
 }
