@@ -117,6 +117,10 @@ NozzleFlow NozzleFlow::from_pressure_gradient(const CrossInk& ink, double radius
     return flow;
 }
 
+NozzleFlow NozzleFlow::from_wall_rate(const CrossInk& ink, double radius, double rate) {
+    return {ink, radius, rate};
+}
+
 double NozzleFlow::flow_rate() const {
     return velocity_average_ * area(radius_);
 }
