@@ -1,0 +1,7 @@
+find_library(UDUNITS2_LIBRARY udunits2 REQUIRED)
+
+bioprint_tests(io
+  SOURCES unit/io/quantity.cpp unit/io/quantity_list.cpp unit/io/number_format.cpp unit/io/units_oracle.cpp
+          unit/io/text.cpp
+  LINKS io
+  PRIVATE ${UDUNITS2_LIBRARY})
