@@ -22,7 +22,7 @@ test_packages=(
     libvalijson-dev    # answers against their JSON Schema
     libudunits2-dev    # oracle of the unit table
     clang-format clang-tidy
-    jq man-db mandoc python3 shellcheck
+    git jq man-db mandoc python3 shellcheck
 )
 
 # To hunt for crashes with libFuzzer (not part of the test command).
