@@ -3,16 +3,17 @@
 
 /** The predictor for any language that can call C: text in, text out.
  *
- *     char* answer = bioprint_predict_json("{\"radius\": \"50um\", \"flowrate\": \"141uL/h\", \"alpha\": 0.75}");
+ *     char* answer = bioprint_predict_json("{\"radius\": \"50um\", \"flowrate\": \"141uL/h\"}");
  *     puts(answer);
  *     bioprint_free(answer);
  *
- * The request is one JSON object, as a line of a JSON Lines batch: its keys are the names of the command's options
- * without the dashes, or paths of the answer's `input`; its values are numbers (SI) or strings with a unit. Whatever is not
- * given has the command's default. The answer is one JSON object of schema bioprint-predict/1, all of it SI.
+ * The request is one JSON object, as a line of a JSON Lines batch: its keys are the names of the command's
+ * options without the dashes, or paths of the answer's `input`; its values are numbers (SI) or strings with a
+ * unit. Whatever is not given has the command's default. The answer is one JSON object of schema
+ * bioprint-predict/1, all of it SI.
  *
- * A request that cannot be answered yields an object with a member `error` (code, message, option): no call throws,
- * exits, prints, or depends on the locale. Calls from several threads do not disturb each other.
+ * A request that cannot be answered yields an object with a member `error` (code, message, option): no call
+ * throws, exits, prints, or depends on the locale. Calls from several threads do not disturb each other.
  */
 #ifdef __cplusplus
 extern "C" {
@@ -20,7 +21,8 @@ extern "C" {
 
 /** Answers one request.
  * @param request  JSON in UTF-8, ended by NUL
- * @return the answer in UTF-8, ended by NUL, to be freed by bioprint_free; NULL only when there is no memory for it
+ * @return the answer in UTF-8, ended by NUL, to be freed by bioprint_free; NULL only when there is no memory
+ * for it
  */
 char* bioprint_predict_json(const char* request);
 

@@ -45,6 +45,10 @@ char* bioprint_predict_json(const char* request) {
     }
 }
 
-void bioprint_free(char* answer) { std::free(answer); }
+void bioprint_free(char* answer) {
+    std::free(answer);
+}
 
-const char* bioprint_version() { return BIOPRINT_VERSION; }
+const char* bioprint_version() {
+    return BIOPRINT_VERSION;
+}
