@@ -4,24 +4,53 @@
 #include <array>
 #include <string_view>
 
-#include "bioprint/io/number_format.hpp"
-
 namespace bioprint {
 namespace {
 
-constexpr std::array<std::string_view, 25> leading_paths = {
-    "input.radius",           "input.length",           "input.flow_rate",         "input.ink.name",
-    "input.ink.eta0",         "input.ink.eta_inf",      "input.ink.time_constant", "input.ink.alpha",
-    "input.cell.name",        "input.cell.radius",      "input.cell.shear_modulus", "input.cell.poisson_ratio",
-    "input.cell.viscosity_ratio", "nozzle.flow_rate",   "nozzle.pressure_gradient", "nozzle.velocity_average",
-    "nozzle.velocity_max",    "nozzle.shear_rate_max",  "nozzle.shear_rate_average", "nozzle.stress_max",
-    "nozzle.stress_average",  "nozzle.viscosity_wall",  "nozzle.pressure_drop",    "nozzle.residence_time",
-    "exit.elongation_rate"};
-constexpr std::array<std::string_view, 17> cell_paths = {
-    "place",     "model",     "offset",    "offset_in_cell_radii", "fluid_stress",     "stress_ratio",
-    "stretch.0", "stretch.1", "stretch.2", "angle",                "frequency",        "stress.von_mises",
-    "stress.elastic.0", "stress.elastic.1", "stress.elastic.2", "stress.viscous", "relaxation_time"};
-constexpr std::array<std::string_view, 4> trailing_paths = {"warnings", "error.code", "error.message", "error.option"};
+constexpr std::array<std::string_view, 25> leading_paths = {"input.radius",
+                                                            "input.length",
+                                                            "input.flow_rate",
+                                                            "input.ink.name",
+                                                            "input.ink.eta0",
+                                                            "input.ink.eta_inf",
+                                                            "input.ink.time_constant",
+                                                            "input.ink.alpha",
+                                                            "input.cell.name",
+                                                            "input.cell.radius",
+                                                            "input.cell.shear_modulus",
+                                                            "input.cell.poisson_ratio",
+                                                            "input.cell.viscosity_ratio",
+                                                            "nozzle.flow_rate",
+                                                            "nozzle.pressure_gradient",
+                                                            "nozzle.velocity_average",
+                                                            "nozzle.velocity_max",
+                                                            "nozzle.shear_rate_max",
+                                                            "nozzle.shear_rate_average",
+                                                            "nozzle.stress_max",
+                                                            "nozzle.stress_average",
+                                                            "nozzle.viscosity_wall",
+                                                            "nozzle.pressure_drop",
+                                                            "nozzle.residence_time",
+                                                            "exit.elongation_rate"};
+constexpr std::array<std::string_view, 17> cell_paths = {"place",
+                                                         "model",
+                                                         "offset",
+                                                         "offset_in_cell_radii",
+                                                         "fluid_stress",
+                                                         "stress_ratio",
+                                                         "stretch.0",
+                                                         "stretch.1",
+                                                         "stretch.2",
+                                                         "angle",
+                                                         "frequency",
+                                                         "stress.von_mises",
+                                                         "stress.elastic.0",
+                                                         "stress.elastic.1",
+                                                         "stress.elastic.2",
+                                                         "stress.viscous",
+                                                         "relaxation_time"};
+constexpr std::array<std::string_view, 4> trailing_paths = {"warnings", "error.code", "error.message",
+                                                            "error.option"};
 
 std::string with_unit(std::string_view path) {
     const std::string_view unit = unit_of(path);
@@ -29,7 +58,8 @@ std::string with_unit(std::string_view path) {
 }
 
 bool is_index(std::string_view name) {
-    return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; });
+    return !name.empty() &&
+           std::all_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
 const Json* find(const Json& answer, const std::vector<std::string>& path) {
@@ -56,32 +86,14 @@ std::string warning_codes(const Json& warnings) {
     return codes;
 }
 
-void append_number(double value, bool decimal_comma, std::string& line) {
-    const std::size_t begin = line.size();
-    append_shortest(line, value);
-    if (decimal_comma) std::replace(line.begin() + static_cast<std::ptrdiff_t>(begin), line.end(), '.', ',');
-}
-
 }  // namespace
 
-void append_csv_text(std::string_view text, char separator, std::string& line) {
-    const bool formula = !text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos;
-    const bool quote = text.find_first_of("\"\r\n") != std::string_view::npos ||
-                       text.find(separator) != std::string_view::npos;
-    if (quote) line += '"';
-    if (formula) line += '\'';
-    for (const char c : text) {
-        if (c == '"') line += '"';
-        line += c;
-    }
-    if (quote) line += '"';
-}
-
-CsvColumns::CsvColumns(std::size_t cell_entries) {
+CsvColumns::CsvColumns(std::size_t cell_entries) : cell_entries_(cell_entries) {
     for (const std::string_view path : leading_paths) add(std::string(path));
     add("exit.elongational_stress");
     for (std::size_t i = 0; i < cell_entries; ++i) {
-        for (const std::string_view path : cell_paths) add("cells." + std::to_string(i) + "." + std::string(path));
+        for (const std::string_view path : cell_paths)
+            add("cells." + std::to_string(i) + "." + std::string(path));
     }
     for (const std::string_view path : trailing_paths) add(std::string(path));
 }
@@ -97,17 +109,17 @@ void CsvColumns::add(const std::string& path) {
     headers_.push_back(with_unit(path));
 }
 
-void CsvColumns::append(const Json& answer, CsvStyle style, std::string& line) const {
+void CsvColumns::write(const Json& answer, CsvWriter& writer) const {
     for (const std::vector<std::string>& path : paths_) {
-        if (!line.empty() && line.back() != '\n') line += style.separator;
         const Json* value = find(answer, path);
-        if (value == nullptr || value->is_null()) continue;
-        if (value->is_array()) {
-            append_csv_text(warning_codes(*value), style.separator, line);
+        if (value == nullptr || value->is_null()) {
+            writer.add_empty();
+        } else if (value->is_array()) {
+            writer.add_text(warning_codes(*value));
         } else if (value->is_number()) {
-            append_number(value->get<double>(), style.decimal_comma, line);
+            writer.add_number(value->get<double>());
         } else {
-            append_csv_text(value->get_ref<const std::string&>(), style.separator, line);
+            writer.add_text(value->get_ref<const std::string&>());
         }
     }
 }

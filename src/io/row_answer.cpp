@@ -7,12 +7,25 @@
 
 namespace bioprint {
 
+CsvDialect fresh_dialect() {
+    return {.line_end = "\r\n"};
+}
+
 RowAnswer answer_row(const std::function<Settings()>& question) {
     try {
         return {.object = answer_object(predict(question().make_case())), .refused = false};
     } catch (...) {
         return {.object = refusal_object(current_refusal()), .refused = true};
     }
+}
+
+std::string values_line(const RowAnswer& answer, const std::vector<std::string>& paths) {
+    std::string line;
+    for (const std::string& path : paths) {
+        if (!line.empty()) line += '\t';
+        line += answer.refused ? "null" : value_text(value_at(answer.object, path));
+    }
+    return line + '\n';
 }
 
 std::string value_text(const Json& value) {
@@ -36,23 +49,26 @@ std::string RowWriter::head() const {
     if (!options_.paths.empty()) return {};
     if (options_.format == Format::json) return "[\n";
     if (options_.format != Format::csv) return {};
-    std::string line;
-    for (const std::string& name : columns_.headers()) line += (line.empty() ? "" : ",") + name;
-    return line + "\r\n";
+    CsvWriter writer(fresh_dialect());
+    for (const std::string& name : columns_.headers()) writer.add_text(name);
+    writer.end_row();
+    return writer.text();
+}
+
+std::string RowWriter::csv_row(const Json& answer) const {
+    CsvWriter writer(fresh_dialect());
+    columns_.write(answer, writer);
+    writer.end_row();
+    return writer.text();
 }
 
 RowText RowWriter::answer(const std::function<Settings()>& question) const {
     const RowAnswer answer = answer_row(question);
     RowText row{.text = {}, .refused = answer.refused};
     if (!options_.paths.empty()) {
-        for (const std::string& path : options_.paths) {
-            if (!row.text.empty()) row.text += '\t';
-            row.text += answer.refused ? "null" : value_text(value_at(answer.object, path));
-        }
-        row.text += '\n';
+        row.text = values_line(answer, options_.paths);
     } else if (options_.format == Format::csv) {
-        columns_.append(answer.object, {}, row.text);
-        row.text += "\r\n";
+        row.text = csv_row(answer.object);
     } else {
         row.text = answer.object.dump();
         if (options_.format == Format::jsonl) row.text += '\n';

@@ -1,7 +1,6 @@
 #include "io/run.hpp"
 
 #include "bioprint/errors.hpp"
-#include "bioprint/io/number_format.hpp"
 #include "io/answer_object.hpp"
 #include "io/csv_columns.hpp"
 #include "io/parallel.hpp"
@@ -10,47 +9,45 @@
 namespace bioprint {
 namespace {
 
-/// Rows computed between two writes: enough for all threads, small enough that memory does not grow with the sweep.
-constexpr std::size_t chunk_rows = 2048;
-
 std::string profile_csv(const RadialProfile& profile) {
-    std::string out = "r [m],velocity [m/s],shear_rate [1/s],viscosity [Pa.s],stress [Pa]\r\n";
-    for (std::size_t i = 0; i < profile.r.size(); ++i) {
-        for (const double value : {profile.r[i], profile.velocity[i], profile.shear_rate[i], profile.viscosity[i]}) {
-            append_shortest(out, value);
-            out += ',';
-        }
-        append_shortest(out, profile.stress[i]);
-        out += "\r\n";
+    CsvWriter writer(fresh_dialect());
+    for (const char* name :
+         {"r [m]", "velocity [m/s]", "shear_rate [1/s]", "viscosity [Pa.s]", "stress [Pa]"}) {
+        writer.add_text(name);
     }
-    return out;
-}
-
-std::string csv_header(const CsvColumns& columns) {
-    std::string line;
-    for (const std::string& name : columns.headers()) line += (line.empty() ? "" : ",") + name;
-    return line + "\r\n";
+    writer.end_row();
+    for (std::size_t i = 0; i < profile.r.size(); ++i) {
+        for (const auto* column :
+             {&profile.r, &profile.velocity, &profile.shear_rate, &profile.viscosity, &profile.stress}) {
+            writer.add_number((*column)[i]);
+        }
+        writer.end_row();
+    }
+    return writer.text();
 }
 
 /// One question, whose refusal is the call's refusal.
-void answer_one(const Settings& row, const RunOptions& options, const Sink& sink) {
+void answer_one(const Settings& row, const RunOptions& options, const Sink& sink, const Sink& notice) {
     const Prediction prediction = predict(row.make_case());
     if (!options.paths.empty()) {
         const Json answer = answer_object(prediction);
         for (const std::string& path : options.paths) sink(value_text(value_at(answer, path)) + "\n");
+        for (const Warning& warning : prediction.warnings) notice(warning.message);
         return;
     }
     switch (options.format) {
-        case Format::table: return sink(answer_table(prediction, options.style));
-        case Format::json: return sink(answer_object(prediction).dump(2) + "\n");
-        case Format::jsonl: return sink(answer_object(prediction).dump() + "\n");
-        case Format::csv: break;
+        case Format::table:
+            return sink(answer_table(prediction, options.style));
+        case Format::json:
+            return sink(answer_object(prediction).dump(2) + "\n");
+        case Format::jsonl:
+            return sink(answer_object(prediction).dump() + "\n");
+        case Format::csv:
+            break;
     }
     if (prediction.profile) return sink(profile_csv(*prediction.profile));
-    const CsvColumns columns(cell_entries(row));
-    std::string line = csv_header(columns);
-    columns.append(answer_object(prediction), {}, line);
-    sink(line + "\r\n");
+    const RowWriter writer(options, cell_entries(row));
+    sink(writer.head() + writer.csv_row(answer_object(prediction)));
 }
 
 struct SweepRow {
@@ -91,10 +88,10 @@ void write_table(const Sweep& sweep, const RunOptions& options, const Sink& sink
 
 }  // namespace
 
-RunResult run_sweep(const Sweep& sweep, const RunOptions& options, const Sink& sink) {
+RunResult run_sweep(const Sweep& sweep, const RunOptions& options, const Sink& sink, const Sink& notice) {
     RunResult result;
     if (sweep.swept().empty()) {
-        answer_one(sweep.fixed(), options, sink);
+        answer_one(sweep.fixed(), options, sink, notice);
         result.rows = 1;
         return result;
     }
@@ -109,8 +106,9 @@ RunResult run_sweep(const Sweep& sweep, const RunOptions& options, const Sink& s
     for (std::size_t begin = 0; begin < total; begin += chunk_rows) {
         const std::size_t count = std::min(chunk_rows, total - begin);
         std::vector<RowText> texts(count);
-        for_each_index(count, options.jobs,
-                       [&](std::size_t i) { texts[i] = writer.answer([&] { return sweep.row(begin + i); }); });
+        for_each_index(count, options.jobs, [&](std::size_t i) {
+            texts[i] = writer.answer([&] { return sweep.row(begin + i); });
+        });
         for (std::size_t i = 0; i < count; ++i) {
             sink(writer.placed(std::move(texts[i].text), begin + i));
             result.refused += texts[i].refused ? 1 : 0;

@@ -99,11 +99,14 @@ void fill(CellAnswer& answer, const EllipsoidState& state) {
 CellAnswer cell_in_nozzle(const NozzleFlow& flow, const CellChoice& cell, double offset) {
     if (offset == 0.0) {
         CellAnswer answer = blank_cell(Place::nozzle, Model::bullet, 0.0, 0.0, cell);
-        const BulletState bullet = bullet_state({.pressure_gradient = flow.pressure_gradient(),
-                                                 .cell_radius = cell.radius,
-                                                 .shear_modulus = cell.shear_modulus});
-        answer.stretch = bullet.stretch;
-        answer.stress = CellStress{.von_mises = bullet.von_mises, .elastic = bullet.elastic, .viscous = 0.0};
+        const BulletState state = bullet({.pressure_gradient = flow.pressure_gradient(),
+                                          .viscosity = viscosity(flow.ink(), 0.0),
+                                          .cell_radius = cell.radius,
+                                          .shear_modulus = cell.shear_modulus});
+        // To the order of the theory the cell keeps its length and width, and its mean stress components
+        // vanish: the load is in the von Mises stress, which has no sign to cancel.
+        answer.stretch = {1.0, 1.0, 1.0};
+        answer.stress = CellStress{.von_mises = state.von_mises, .elastic = {0.0, 0.0, 0.0}, .viscous = 0.0};
         return answer;
     }
     const double fluid_stress = flow.stress(offset);
@@ -123,9 +126,8 @@ CellAnswer cell_in_exit(const NozzleFlow& flow, const ExitAnswer& exit, const Ce
                            .shear_modulus = cell.shear_modulus,
                            .direction = ElongationDirection::compression});
     if (state) fill(answer, *state);
-    answer.relaxation_time = relaxation_time({.viscosity = viscosity(flow.ink(), 0.0),
-                                              .shear_modulus = cell.shear_modulus,
-                                              .viscosity_ratio = cell.viscosity_ratio});
+    answer.relaxation_time =
+        relaxation_time(viscosity(flow.ink(), 0.0), cell.shear_modulus, cell.viscosity_ratio);
     return answer;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "bioprint/cell/bullet.hpp"
 #include "bioprint/cell/roscoe.hpp"
 #include "bioprint/flow/nozzle_exit.hpp"
 
@@ -150,10 +151,8 @@ void check_exit(const Prediction& prediction, const NozzleFlow& flow, Collector&
             continue;
         }
         const double passage = 2.0 * flow.radius() / flow.velocity_average();
-        const double response =
-            relaxation_time({.viscosity = viscosity(flow.ink(), prediction.exit.elongation_rate),
-                             .shear_modulus = question.cell.shear_modulus,
-                             .viscosity_ratio = question.cell.viscosity_ratio});
+        const double response = relaxation_time(viscosity(flow.ink(), prediction.exit.elongation_rate),
+                                                question.cell.shear_modulus, question.cell.viscosity_ratio);
         if (flow.velocity_average() > 0.0 && response > slow_cell_share * passage) {
             warn.add("exit_transient",
                      "the cell passes the exit in " + number(passage * 1e3) + " ms and needs " +
