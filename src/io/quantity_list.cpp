@@ -48,7 +48,7 @@ void spread_units(std::vector<Element>& elements, std::string_view text, const Q
         } else if (next != nullptr) {
             it->parsed.unit = next->parsed.unit;
         } else if (any && !zero) {
-            fail_quantity(text, "where " + quoted(it->text) + " has no unit and others do", request);
+            fail_quantity(text, "where " + in_quotes(it->text) + " has no unit and others do", request);
         }
     }
 }

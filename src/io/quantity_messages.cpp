@@ -56,7 +56,7 @@ bool other_mark(std::string_view text, const QuantityRequest& request) {
 void fail_quantity(std::string_view text, std::string_view problem, const QuantityRequest& request) {
     std::string message;
     if (!request.option.empty()) message += std::string(request.option) + ": ";
-    message += "got " + quoted(text) + ", " + std::string(problem) + "; " + what_it_takes(request);
+    message += "got " + in_quotes(text) + ", " + std::string(problem) + "; " + what_it_takes(request);
     throw UsageError(message, std::string(request.option));
 }
 
@@ -82,7 +82,7 @@ void fail_malformed_number(std::string_view text, const QuantityRequest& request
 
 void fail_unknown_unit(std::string_view text, std::string_view unit, const QuantityRequest& request) {
     auto known = usual_units(request.dimension);
-    std::string problem = "whose unit " + quoted(unit) + " is not known";
+    std::string problem = "whose unit " + in_quotes(unit) + " is not known";
     static constexpr std::string_view radii[] = {"Rc", "um", "mm", "m", "nm"};
     if (request.offset) known = radii;
     const auto near = nearest(unit, known);

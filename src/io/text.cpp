@@ -70,7 +70,7 @@ std::size_t utf8_length(std::string_view text) {
     return length;
 }
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
     std::string out = "'";
     std::size_t i = 0;
     while (i < text.size()) {

@@ -9,7 +9,7 @@ namespace bioprint {
 
 /// `text` in single quotes, safe to print and to put into JSON: control characters and bytes that are not
 /// UTF-8 are written as \xNN, anything past 60 bytes is cut and marked with "...".
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 /// `text` without its ASCII spaces, tabs and Unicode no-break, narrow and thin spaces at both ends.
 std::string_view trimmed(std::string_view text);

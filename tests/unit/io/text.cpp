@@ -8,12 +8,12 @@
 using namespace bioprint;
 
 TEST_CASE("text: a quote in a message is printable UTF-8 and short") {
-    CHECK(quoted("50 µm") == "'50 µm'");
-    CHECK(quoted("a\nb\x1b[31m") == "'a\\x0ab\\x1b[31m'");
-    CHECK(quoted("\xff\xc0\x80") == "'\\xff\\xc0\\x80'");
-    CHECK(quoted(std::string(100, 'x')) == "'" + std::string(60, 'x') + "...'");
+    CHECK(in_quotes("50 µm") == "'50 µm'");
+    CHECK(in_quotes("a\nb\x1b[31m") == "'a\\x0ab\\x1b[31m'");
+    CHECK(in_quotes("\xff\xc0\x80") == "'\\xff\\xc0\\x80'");
+    CHECK(in_quotes(std::string(100, 'x')) == "'" + std::string(60, 'x') + "...'");
     // A cut never splits a character.
-    CHECK(quoted(std::string(59, 'x') + "µ") == "'" + std::string(59, 'x') + "...'");
+    CHECK(in_quotes(std::string(59, 'x') + "µ") == "'" + std::string(59, 'x') + "...'");
 }
 
 TEST_CASE("text: UTF-8 sequences are recognised and others are not") {
