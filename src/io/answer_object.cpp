@@ -11,9 +11,13 @@
 namespace bioprint {
 namespace {
 
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json number(double value) {
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
 
-Json number(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
+Json number(const std::optional<double>& value) {
+    return value ? number(*value) : Json(nullptr);
+}
 
 /// A shape that does not exist keeps its three places, so that paths and CSV columns never move.
 Json numbers(const std::optional<std::array<double, 3>>& values) {
@@ -27,7 +31,9 @@ Json numbers(const std::vector<double>& values) {
     return list;
 }
 
-Json program_object() { return {{"name", program_name}, {"version", program_version()}}; }
+Json program_object() {
+    return {{"name", program_name}, {"version", program_version()}};
+}
 
 Json input_object(const Prediction& prediction) {
     const Case& question = prediction.question;
@@ -74,9 +80,12 @@ Json nozzle_object(const NozzleAnswer& nozzle) {
 
 std::string_view model_name(Model model) {
     switch (model) {
-        case Model::bullet: return "bullet";
-        case Model::roscoe_shear: return "roscoe-shear";
-        case Model::roscoe_elongation: return "roscoe-elongation";
+        case Model::bullet:
+            return "bullet";
+        case Model::roscoe_shear:
+            return "roscoe-shear";
+        case Model::roscoe_elongation:
+            return "roscoe-elongation";
     }
     return "";
 }
@@ -92,7 +101,9 @@ Json cell_object(const CellAnswer& cell) {
     object["stretch"] = numbers(cell.stretch);
     object["angle"] = number(cell.angle);
     object["frequency"] = number(cell.frequency);
-    const auto part = [&](auto member) { return cell.stress ? std::optional((*cell.stress).*member) : std::nullopt; };
+    const auto part = [&](auto member) {
+        return cell.stress ? std::optional((*cell.stress).*member) : std::nullopt;
+    };
     object["stress"] = {{"von_mises", number(part(&CellStress::von_mises))},
                         {"elastic", numbers(part(&CellStress::elastic))},
                         {"viscous", number(part(&CellStress::viscous))}};
@@ -145,7 +156,8 @@ Json answer_object(const Prediction& prediction) {
     answer["cells"] = std::move(cells);
     if (prediction.profile) answer["profile"] = profile_object(*prediction.profile);
     Json warnings = Json::array();
-    for (const Warning& w : prediction.warnings) warnings.push_back({{"code", w.code}, {"message", w.message}});
+    for (const Warning& w : prediction.warnings)
+        warnings.push_back({{"code", w.code}, {"message", w.message}});
     answer["warnings"] = std::move(warnings);
     return answer;
 }
@@ -183,9 +195,11 @@ const Json& value_at(const Json& answer, std::string_view path) {
         const std::size_t end = std::min(path.find('.', begin), path.size());
         const Json* next = step_into(*place, std::string(path.substr(begin, end - begin)));
         if (next == nullptr) {
-            const std::string known = begin == 0 ? "the answer" : "'" + std::string(path.substr(0, begin - 1)) + "'";
-            throw UsageError("--get: no value at '" + std::string(path) + "'; " + known + " has " + offered_by(*place),
-                             "--get");
+            const std::string known =
+                begin == 0 ? "the answer" : "'" + std::string(path.substr(0, begin - 1)) + "'";
+            throw UsageError(
+                "--get: no value at '" + std::string(path) + "'; " + known + " has " + offered_by(*place),
+                "--get");
         }
         place = next;
         begin = end + 1;
@@ -195,33 +209,51 @@ const Json& value_at(const Json& answer, std::string_view path) {
 
 std::string_view unit_of(std::string_view path) {
     static constexpr std::array<std::pair<std::string_view, std::string_view>, 33> units = {{
-        {"radius", "m"},           {"length", "m"},
-        {"offsets", "m"},          {"offset", "m"},
-        {"r", "m"},                {"flow_rate", "m^3/s"},
-        {"eta0", "Pa.s"},          {"eta_inf", "Pa.s"},
-        {"viscosity", "Pa.s"},     {"viscosity_wall", "Pa.s"},
-        {"time_constant", "s"},    {"residence_time", "s"},
-        {"relaxation_time", "s"},  {"shear_modulus", "Pa"},
-        {"pressure_drop", "Pa"},   {"stress_max", "Pa"},
-        {"stress_average", "Pa"},  {"elongational_stress", "Pa"},
-        {"fluid_stress", "Pa"},    {"von_mises", "Pa"},
-        {"elastic", "Pa"},         {"viscous", "Pa"},
-        {"stress", "Pa"},          {"pressure_gradient", "Pa/m"},
-        {"velocity", "m/s"},       {"velocity_average", "m/s"},
-        {"velocity_max", "m/s"},   {"shear_rate", "1/s"},
-        {"shear_rate_max", "1/s"}, {"shear_rate_average", "1/s"},
-        {"elongation_rate", "1/s"}, {"frequency", "1/s"},
+        {"radius", "m"},
+        {"length", "m"},
+        {"offsets", "m"},
+        {"offset", "m"},
+        {"r", "m"},
+        {"flow_rate", "m^3/s"},
+        {"eta0", "Pa.s"},
+        {"eta_inf", "Pa.s"},
+        {"viscosity", "Pa.s"},
+        {"viscosity_wall", "Pa.s"},
+        {"time_constant", "s"},
+        {"residence_time", "s"},
+        {"relaxation_time", "s"},
+        {"shear_modulus", "Pa"},
+        {"pressure_drop", "Pa"},
+        {"stress_max", "Pa"},
+        {"stress_average", "Pa"},
+        {"elongational_stress", "Pa"},
+        {"fluid_stress", "Pa"},
+        {"von_mises", "Pa"},
+        {"elastic", "Pa"},
+        {"viscous", "Pa"},
+        {"stress", "Pa"},
+        {"pressure_gradient", "Pa/m"},
+        {"velocity", "m/s"},
+        {"velocity_average", "m/s"},
+        {"velocity_max", "m/s"},
+        {"shear_rate", "1/s"},
+        {"shear_rate_max", "1/s"},
+        {"shear_rate_average", "1/s"},
+        {"elongation_rate", "1/s"},
+        {"frequency", "1/s"},
         {"angle", "rad"},
     }};
     const auto is_index = [](std::string_view name) {
-        return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; });
+        return !name.empty() &&
+               std::all_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; });
     };
     std::string_view leaf = path.substr(path.rfind('.') + 1);
     while (is_index(leaf) && leaf.size() < path.size()) {
         path.remove_suffix(leaf.size() + 1);
         leaf = path.substr(path.rfind('.') + 1);
     }
-    const auto found = std::find_if(units.begin(), units.end(), [&](const auto& unit) { return unit.first == leaf; });
+    const auto found =
+        std::find_if(units.begin(), units.end(), [&](const auto& unit) { return unit.first == leaf; });
     return found == units.end() ? std::string_view{} : found->second;
 }
 
