@@ -100,8 +100,10 @@ NozzleFlow::NozzleFlow(const CrossInk& ink, double radius, double wall_rate)
 
 NozzleFlow NozzleFlow::from_velocity(const CrossInk& ink, double radius, double velocity_average) {
     if (velocity_average == 0.0) return {ink, radius, 0.0};
+    const bool newtonian = ink.alpha == 0.0 || ink.eta_inf == ink.eta0;
     const double wall_rate =
-        std::exp(log_wall_rate(ink, radius, velocity_average) - std::log(ink.time_constant));
+        newtonian ? 4.0 * velocity_average / radius
+                  : std::exp(log_wall_rate(ink, radius, velocity_average) - std::log(ink.time_constant));
     NozzleFlow flow(ink, radius, wall_rate);
     flow.velocity_average_ = velocity_average;
     return flow;

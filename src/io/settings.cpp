@@ -210,7 +210,9 @@ Settings Settings::over(const Settings& defaults) const {
     for (std::size_t i = 0; i < key_count; ++i) {
         const Key key = static_cast<Key>(i);
         if (result.values_[i] || !defaults.values_[i]) continue;
-        if ((own_size && contains(size_group, key)) || (own_drive && contains(drive_group, key))) continue;
+        if ((own_size && (contains(size_group, key) || (key == Key::tip && !has(Key::needle)))) ||
+            (own_drive && contains(drive_group, key)))
+            continue;
         result.values_[i] = defaults.values_[i];
         result.origins_[i] = defaults.origins_[i];
     }

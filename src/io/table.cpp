@@ -82,11 +82,16 @@ std::string grid(const std::vector<std::vector<std::string>>& rows, std::size_t 
         widths.resize(std::max(widths.size(), row.size()), 0);
         for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width_of(row[i]));
     }
+    // Two spaces between columns where the page allows, else one.
+    std::size_t total = 1;
+    for (const std::size_t width : widths) total += width + 2;
+    const std::size_t gap = total > page_width ? 1 : 2;
     std::string out;
     for (const auto& row : rows) {
-        std::string line = " ";
-        for (std::size_t i = 0; i < row.size(); ++i)
-            line += " " + padded(row[i], widths[i] + (i ? 1 : 0), i < left);
+        std::string line;
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            line += std::string(i == 0 ? 2 : gap, ' ') + padded(row[i], widths[i], i < left);
+        }
         out += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
     }
     return out;

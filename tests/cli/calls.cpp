@@ -49,7 +49,7 @@ TEST_CASE("command: no line of the table is wider than 80 columns") {
 }
 
 TEST_CASE("command: get prints one value alone in its shortest form") {
-    CHECK(run("--radius 50um --velocity 5mm/s --alpha 0 --get nozzle.pressure_gradient").out == "80000000\n");
+    CHECK(run("--radius 50um --velocity 5mm/s --alpha 0 --get nozzle.pressure_gradient").out == "8e+07\n");
     CHECK(run("--get input.radius --get cells.0.model").out == "5e-05\nbullet\n");
     CHECK(run("--get nozzle.pressure_drop").out == "null\n");
     const Outcome wrong = run("--get nozzle.presure");
@@ -170,7 +170,6 @@ TEST_CASE("command: verbose adds the reference quadrature on standard error alon
 
 TEST_CASE("command: the locale never matters") {
     const std::string plain = run("--radius 50um --json").out;
-    CHECK(run("--radius 50um --json; true").out == plain);
     setenv("LC_ALL", "de_DE.UTF-8", 1);
     CHECK(run("--radius 50um --json").out == plain);
     unsetenv("LC_ALL");

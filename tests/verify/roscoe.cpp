@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "csv_reference.hpp"
+#include "support/reference_table.hpp"
 
 namespace {
 
