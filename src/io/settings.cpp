@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <map>
+#include <mutex>
 
 #include "bioprint/io/presets.hpp"
 
@@ -35,8 +37,8 @@ std::string normalised(std::string_view name) {
 }
 
 CellChoice cell_choice(const Settings& settings) {
-    const CellPreset preset = find_cell(settings.has(Key::cell) ? settings.at(Key::cell).text : "reference");
-    const CellPreset reference = find_cell("reference");
+    const CellPreset& preset = find_cell(settings.has(Key::cell) ? settings.at(Key::cell).text : "reference");
+    const CellPreset& reference = find_cell("reference");
     const auto pick = [&](Key key, const std::optional<double>& preset_value,
                           const std::optional<double>& fallback) {
         if (settings.has(key)) return settings.at(key).number;
@@ -61,18 +63,29 @@ CellChoice cell_choice(const Settings& settings) {
     return cell;
 }
 
+/// A preset by name, or from a file (a name with a slash or a dot-json ending); files are read once.
+const InkPreset& ink_of(const std::string& name) {
+    if (name.find('/') == std::string::npos && !name.ends_with(".json")) return find_ink(name);
+    static std::mutex lock;
+    static std::map<std::string, InkPreset> files;
+    const std::lock_guard guard(lock);
+    auto found = files.find(name);
+    if (found == files.end()) found = files.emplace(name, load_ink_file(name)).first;
+    return found->second;
+}
+
 InkChoice ink_choice(const Settings& settings) {
     const std::string name = settings.has(Key::ink) ? settings.at(Key::ink).text : "alginate-2.5";
-    const InkPreset preset = resolve_ink(name);
+    const InkPreset& preset = ink_of(name);
     const auto pick = [&](Key key, double fallback) {
         return settings.has(key) ? settings.at(key).number : fallback;
     };
     InkChoice ink{.name = preset.name,
                   .source = preset.source,
-                  .law = {.eta0 = pick(Key::eta0, preset.eta0),
-                          .eta_inf = pick(Key::eta_inf, preset.eta_inf),
-                          .time_constant = pick(Key::time_constant, preset.time_constant),
-                          .alpha = pick(Key::alpha, preset.alpha)}};
+                  .law = {.eta0 = pick(Key::eta0, preset.ink.eta0),
+                          .eta_inf = pick(Key::eta_inf, preset.ink.eta_inf),
+                          .time_constant = pick(Key::time_constant, preset.ink.time_constant),
+                          .alpha = pick(Key::alpha, preset.ink.alpha)}};
     for (const Key key : {Key::eta0, Key::eta_inf, Key::time_constant, Key::alpha}) {
         if (settings.has(key)) ink.source += "; " + std::string(info_of(key).option) + " given";
     }
@@ -218,13 +231,15 @@ Case Settings::make_case() const {
     if (has(Key::diameter)) question.radius = 0.5 * at(Key::diameter).number;
     if (has(Key::needle)) {
         problems.collect([&] {
-            const NozzlePreset nozzle =
-                find_nozzle(at(Key::needle).text, has(Key::tip) ? at(Key::tip).text : "");
-            question.radius = nozzle.radius;
-            question.needle = NeedleChoice{.name = nozzle.name,
-                                           .source = nozzle.source,
-                                           .tapered = nozzle.tapered,
-                                           .tip_assumed = !has(Key::tip)};
+            const std::optional<Tip> tip =
+                has(Key::tip) ? std::optional(parse_tip(at(Key::tip).text, origins_[index(Key::tip)]))
+                              : std::nullopt;
+            const NozzleChoice choice = find_nozzle(at(Key::needle).text, tip, origins_[index(Key::needle)]);
+            question.radius = choice.nozzle.radius;
+            question.needle = NeedleChoice{.name = choice.nozzle.name,
+                                           .source = choice.nozzle.source,
+                                           .remark = choice.tip_assumed ? describe(choice) : std::string{},
+                                           .tapered = choice.nozzle.tapered};
         });
     } else if (has(Key::tip)) {
         problems.add(origins_[index(Key::tip)] + ": says the kind of a needle; add --needle, such as 25G");
