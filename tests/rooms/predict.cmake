@@ -10,3 +10,4 @@ bioprint_tests(random_calls
   LABELS slow
   PRIVATE ${RAPIDCHECK_LIBRARY})
 set_tests_properties(random_calls PROPERTIES ENVIRONMENT "RC_PARAMS=max_success=100000 max_size=1000 seed=1")
+bioprint_bench(predict SOURCES bench/predict.cpp LINKS predict)
