@@ -5,3 +5,5 @@ bioprint_tests(io
           unit/io/text.cpp unit/io/csv.cpp unit/io/json_lines.cpp unit/io/whole_file.cpp unit/io/presets.cpp unit/io/schema.cpp support/schema.cpp
   LINKS io
   PRIVATE nlohmann_json::nlohmann_json ${UDUNITS2_LIBRARY})
+
+bioprint_bench(csv SOURCES bench/csv.cpp LINKS io)
