@@ -227,26 +227,23 @@ NozzlePreset read_nozzle(const Node& node) {
 }
 
 template <typename Preset>
-std::vector<Preset> read_list(std::string_view text, const std::string& what, const char* key,
-                              Preset (*read)(const Node&)) {
+Preset read_text(std::string_view text, const std::string& what, Preset (*read)(const Node&)) {
     const Json json = parse_json(text, what);
-    std::vector<Preset> presets;
-    for (const auto& node : Node(json, what + ": ").objects(key)) presets.push_back(read(node));
-    return presets;
+    return read(Node(json, what + ": "));
 }
 
 }  // namespace
 
-std::vector<InkPreset> read_inks(std::string_view json, const std::string& what) {
-    return read_list<InkPreset>(json, what, "inks", read_ink);
+InkPreset read_ink_text(std::string_view json, const std::string& what) {
+    return read_text(json, what, read_ink);
 }
 
-std::vector<CellPreset> read_cells(std::string_view json, const std::string& what) {
-    return read_list<CellPreset>(json, what, "cells", read_cell);
+CellPreset read_cell_text(std::string_view json, const std::string& what) {
+    return read_text(json, what, read_cell);
 }
 
-std::vector<NozzlePreset> read_nozzles(std::string_view json, const std::string& what) {
-    return read_list<NozzlePreset>(json, what, "nozzles", read_nozzle);
+NozzlePreset read_nozzle_text(std::string_view json, const std::string& what) {
+    return read_text(json, what, read_nozzle);
 }
 
 InkPreset read_single_ink(std::string_view text, const std::string& what) {

@@ -10,9 +10,9 @@
 /// inks.0.eta0.unit: …".
 namespace bioprint {
 
-std::vector<InkPreset> read_inks(std::string_view json, const std::string& what);
-std::vector<CellPreset> read_cells(std::string_view json, const std::string& what);
-std::vector<NozzlePreset> read_nozzles(std::string_view json, const std::string& what);
+InkPreset read_ink_text(std::string_view json, const std::string& what);
+CellPreset read_cell_text(std::string_view json, const std::string& what);
+NozzlePreset read_nozzle_text(std::string_view json, const std::string& what);
 
 /// One ink: the object itself, or the only one of an `inks` list.
 InkPreset read_single_ink(std::string_view json, const std::string& what);

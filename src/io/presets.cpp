@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <mutex>
 #include <set>
 
 #include "bioprint/errors.hpp"
@@ -19,19 +20,55 @@ namespace {
 constexpr std::array<Tip, 3> tips = {Tip::steel, Tip::tapered, Tip::hypodermic};
 constexpr std::array<std::string_view, 3> tip_names = {"steel", "tapered", "hypodermic"};
 
-const std::vector<InkPreset>& inks() {
-    static const auto presets = read_inks(preset_texts::inks, "inks.json");
-    return presets;
+/// Presets of one kind, each parsed when it is first asked for.
+template <typename Preset>
+class Shelf {
+  public:
+    using Reader = Preset (*)(std::string_view json, const std::string& what);
+    Shelf(std::span<const preset_texts::PresetText> texts, Reader read, std::string kind)
+        : texts_(texts), read_(read), kind_(std::move(kind)), presets_(texts.size()), parsed_(texts.size()) {}
+
+    [[nodiscard]] const std::string& kind() const { return kind_; }
+
+    const Preset* find(std::string_view name) {
+        const std::string wanted = "\n" + lower_case(trimmed(name)) + "\n";
+        for (std::size_t i = 0; i < texts_.size(); ++i) {
+            if (texts_[i].names.find(wanted) != std::string_view::npos) return &at(i);
+        }
+        return nullptr;
+    }
+
+    std::span<const Preset> all() {
+        for (std::size_t i = 0; i < texts_.size(); ++i) at(i);
+        return presets_;
+    }
+
+  private:
+    const Preset& at(std::size_t i) {
+        std::call_once(parsed_[i], [&] { presets_[i] = read_(texts_[i].json, kind_ + " preset"); });
+        return presets_[i];
+    }
+
+    std::span<const preset_texts::PresetText> texts_;
+    Reader read_;
+    std::string kind_;
+    std::vector<Preset> presets_;
+    std::vector<std::once_flag> parsed_;
+};
+
+Shelf<InkPreset>& inks() {
+    static Shelf<InkPreset> shelf(preset_texts::inks, read_ink_text, "ink");
+    return shelf;
 }
 
-const std::vector<CellPreset>& cells() {
-    static const auto presets = read_cells(preset_texts::cells, "cells.json");
-    return presets;
+Shelf<CellPreset>& cells() {
+    static Shelf<CellPreset> shelf(preset_texts::cells, read_cell_text, "cell");
+    return shelf;
 }
 
-const std::vector<NozzlePreset>& nozzles() {
-    static const auto presets = read_nozzles(preset_texts::nozzles, "nozzles.json");
-    return presets;
+std::span<const NozzlePreset> nozzles() {
+    static Shelf<NozzlePreset> shelf(preset_texts::nozzles, read_nozzle_text, "nozzle");
+    return shelf.all();
 }
 
 [[noreturn]] void fail(std::string_view option, const std::string& message) {
@@ -39,21 +76,17 @@ const std::vector<NozzlePreset>& nozzles() {
 }
 
 template <typename Preset>
-const Preset& find(const std::vector<Preset>& presets, std::string_view name, std::string_view option,
-                   std::string_view kind) {
-    const std::string wanted = lower_case(trimmed(name));
-    const auto matches = [&](std::string_view candidate) { return lower_case(candidate) == wanted; };
+const Preset& find(Shelf<Preset>& shelf, std::string_view name, std::string_view option) {
+    if (const Preset* found = shelf.find(name)) return *found;
     std::vector<std::string_view> names;
-    for (const auto& preset : presets) {
-        if (matches(preset.name) || std::any_of(preset.aliases.begin(), preset.aliases.end(), matches))
-            return preset;
+    for (const auto& preset : shelf.all()) {
         names.push_back(preset.name);
         names.insert(names.end(), preset.aliases.begin(), preset.aliases.end());
     }
     const auto near = nearest(trimmed(name), names);
-    std::string message = "got " + in_quotes(name) + ", no known " + std::string(kind);
+    std::string message = "got " + in_quotes(name) + ", no known " + shelf.kind();
     if (!near.empty()) message.append("; did you mean '").append(near).append("'?");
-    message.append(near.empty() ? "; " : " ").append("--list ").append(kind).append("s shows all");
+    message.append(near.empty() ? "; " : " ").append("--list ").append(shelf.kind()).append("s shows all");
     fail(option, message);
 }
 
@@ -88,21 +121,21 @@ std::string bore(const NozzlePreset& nozzle) {
 }  // namespace
 
 std::span<const InkPreset> ink_presets() {
-    return inks();
+    return inks().all();
 }
 std::span<const CellPreset> cell_presets() {
-    return cells();
+    return cells().all();
 }
 std::span<const NozzlePreset> nozzle_presets() {
     return nozzles();
 }
 
 const InkPreset& find_ink(std::string_view name, std::string_view option) {
-    return find(inks(), name, option, "ink");
+    return find(inks(), name, option);
 }
 
 const CellPreset& find_cell(std::string_view name, std::string_view option) {
-    return find(cells(), name, option, "cell");
+    return find(cells(), name, option);
 }
 
 InkPreset load_ink_file(const std::string& path) {
