@@ -6,6 +6,10 @@
 
 add_library(bioprint_options INTERFACE)
 target_compile_options(bioprint_options INTERFACE -Wall -Wextra -Wpedantic -Werror)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+  # GCC bug 105651: false alarms of -Wrestrict in std::string's operator+.
+  target_compile_options(bioprint_options INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wno-restrict>)
+endif()
 # Optimisations that keep IEEE values: no errno from libm, no floating-point traps, loops marked `omp simd`.
 target_compile_options(bioprint_options INTERFACE -fno-math-errno -fno-trapping-math -fopenmp-simd)
 if(BIOPRINT_SANITIZE)

@@ -3,7 +3,8 @@
 # Presets are asked of the program itself, so that the list is that of the version in use.
 
 _bioprint_predict_presets() { # PROGRAM inks|cells|nozzles
-    "$1" --list "$2" 2>/dev/null | awk '/^[[:alnum:]]/ { print $1 }'
+    # The first line is the head of the table; a gauge stands once for each of its tips.
+    "$1" --list "$2" 2>/dev/null | awk 'NR > 1 && NF && !seen[$1]++ { print $1 }'
 }
 
 _bioprint_predict() {
@@ -22,7 +23,7 @@ _bioprint_predict() {
         -f | --format) words='table json jsonl csv' ;;
         --tip) words='steel tapered hypodermic' ;;
         --list) words='inks cells nozzles' ;;
-        --needle) words='14G 15G 16G 17G 18G 19G 20G 21G 22G 23G 24G 25G 26G 27G 28G 29G 30G 31G 32G 33G 34G' ;;
+        --needle) words=$(_bioprint_predict_presets "$program" nozzles) ;;
         --cell) words=$(_bioprint_predict_presets "$program" cells) ;;
         --ink)
             words=$(_bioprint_predict_presets "$program" inks)

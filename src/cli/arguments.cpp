@@ -47,7 +47,9 @@ void add_prediction_options(CLI::App& app, Raw& raw) {
         auto* option = app.add_option(option_names(info), raw.values[static_cast<std::size_t>(info.key)],
                                       std::string(info.help));
         option->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)->group("The question");
-        option->type_name(info.dimension && info.key != Key::profile ? "QUANTITY" : info.key == Key::profile ? "N" : "TEXT");
+        option->type_name(info.dimension && info.key != Key::profile ? "QUANTITY"
+                          : info.key == Key::profile                 ? "N"
+                                                                     : "TEXT");
     }
 }
 
@@ -56,7 +58,8 @@ void add_answer_options(CLI::App& app, Raw& raw, Arguments& arguments) {
     app.add_option("--batch", raw.batch, "one question a row: a CSV or JSON Lines file, - for standard input")
         ->type_name("FILE")
         ->group(group);
-    app.add_option("-f,--format", raw.format, "table, json, jsonl or csv (default table; a batch answers in kind)")
+    app.add_option("-f,--format", raw.format,
+                   "table, json, jsonl or csv (default table; a batch answers in kind)")
         ->type_name("FORMAT")
         ->group(group);
     app.add_flag("--json", raw.json, "the same as --format json")->group(group);
@@ -65,13 +68,18 @@ void add_answer_options(CLI::App& app, Raw& raw, Arguments& arguments) {
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->group(group);
-    app.add_option("-o,--output", raw.output, "write there, whole or not at all")->type_name("FILE")->group(group);
-    app.add_option("--list", raw.list, "show the presets: inks, cells or nozzles")->type_name("KIND")->group(group);
+    app.add_option("-o,--output", raw.output, "write there, whole or not at all")
+        ->type_name("FILE")
+        ->group(group);
+    app.add_option("--list", raw.list, "show the presets: inks, cells or nozzles")
+        ->type_name("KIND")
+        ->group(group);
     app.add_option("-j,--jobs", raw.jobs, "threads of a batch or sweep (default all cores)")
         ->type_name("N")
         ->group(group);
     app.add_flag("-q,--quiet", arguments.quiet, "no notes, no remarks")->group(group);
-    app.add_flag("-v,--verbose", arguments.verbose, "add the reference quadrature's error estimates")->group(group);
+    app.add_flag("-v,--verbose", arguments.verbose, "add the reference quadrature's error estimates")
+        ->group(group);
     app.add_flag("--no-color", arguments.no_color, "no colour, as does NO_COLOR")->group(group);
 }
 
@@ -99,7 +107,8 @@ void collect_question(const CLI::App& app, const Raw& raw, Arguments& arguments,
     }
     for (const Key key : order) {
         for (const std::string& text : raw.values[static_cast<std::size_t>(key)]) {
-            problems.collect([&] { arguments.sweep.add(key, text, "--" + std::string(info_of(key).option)); });
+            problems.collect(
+                [&] { arguments.sweep.add(key, text, "--" + std::string(info_of(key).option)); });
             arguments.given.emplace_back(key, text);
         }
     }
@@ -111,9 +120,11 @@ void collect_answer(const Raw& raw, Arguments& arguments, Problems& problems) {
     if (!raw.format.empty()) {
         arguments.format = parse_format(raw.format);
         if (!arguments.format) {
-            problems.add("--format: got '" + raw.format + "'; it takes table, json, jsonl or csv", "--format");
+            problems.add("--format: got '" + raw.format + "'; it takes table, json, jsonl or csv",
+                         "--format");
         } else if (raw.json && arguments.format != Format::json) {
-            problems.add("--json: cannot be combined with --format " + raw.format + "; give one of the two", "--json");
+            problems.add("--json: cannot be combined with --format " + raw.format + "; give one of the two",
+                         "--json");
         }
     } else if (raw.json) {
         arguments.format = Format::json;
@@ -129,12 +140,15 @@ void collect_answer(const Raw& raw, Arguments& arguments, Problems& problems) {
     if (!raw.jobs.empty()) {
         arguments.jobs = parse_jobs(raw.jobs);
         if (!arguments.jobs) {
-            problems.add("--jobs: got '" + raw.jobs + "'; it takes a number of threads from 1 to 9999", "--jobs");
+            problems.add("--jobs: got '" + raw.jobs + "'; it takes a number of threads from 1 to 9999",
+                         "--jobs");
         }
     }
     if (arguments.batch && !arguments.sweep.swept().empty()) {
         const std::string name = "--" + std::string(info_of(arguments.sweep.swept().front()).option);
-        problems.add(name + ": a list cannot be combined with --batch; give one value, or put the values in rows", name);
+        problems.add(
+            name + ": a list cannot be combined with --batch; give one value, or put the values in rows",
+            name);
     }
 }
 
@@ -165,7 +179,8 @@ std::optional<Arguments> parse_arguments(int argc, const char* const* argv) {
         problems.add(e.what());
     }
     for (const std::string& extra : app.remaining()) {
-        problems.add("'" + extra + "': " + (extra.starts_with('-') ? "no such option" : "an argument too many") +
+        problems.add("'" + extra +
+                         "': " + (extra.starts_with('-') ? "no such option" : "an argument too many") +
                          "; see bioprint-predict --help",
                      extra);
     }

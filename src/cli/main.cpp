@@ -82,7 +82,8 @@ int run(const Arguments& arguments) {
         result = run_batch(input, arguments.format, options, row_sink, notice);
     } else {
         result = run_sweep(arguments.sweep, options, sink, notice);
-        if (arguments.verbose && arguments.sweep.swept().empty()) say(reference_report(arguments.sweep.fixed()));
+        if (arguments.verbose && arguments.sweep.swept().empty())
+            say(reference_report(arguments.sweep.fixed()));
     }
     const bool to_file = arguments.output.has_value();
     if (!(result.interrupted && to_file)) output.commit();

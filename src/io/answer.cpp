@@ -7,9 +7,13 @@
 
 namespace bioprint {
 
-std::string_view program_version() { return BIOPRINT_VERSION; }
+std::string_view program_version() {
+    return BIOPRINT_VERSION;
+}
 
-std::string answer_json(const Prediction& prediction, int indent) { return answer_object(prediction).dump(indent); }
+std::string answer_json(const Prediction& prediction, int indent) {
+    return answer_object(prediction).dump(indent);
+}
 
 std::string answer_json_line(std::string_view question) {
     return answer_row([&] { return settings_of(parse_json(question, "the question")); }).object.dump();

@@ -11,9 +11,31 @@
 namespace bioprint {
 namespace {
 
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+/// Objects are built by appending: an initializer list would copy every value, and rows are many.
+class ObjectBuilder {
+  public:
+    ObjectBuilder() { members_.reserve(12); }
+    ObjectBuilder& add(const char* name, Json value) {
+        members_.emplace_back(name, std::move(value));
+        return *this;
+    }
+    Json take() {
+        Json object = Json::object();
+        object.get_ref<Json::object_t&>().swap(members_);
+        return object;
+    }
 
-Json number(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
+  private:
+    Json::object_t members_;
+};
+
+Json number(double value) {
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json number(const std::optional<double>& value) {
+    return value ? number(*value) : Json(nullptr);
+}
 
 /// A shape that does not exist keeps its three places, so that paths and CSV columns never move.
 Json numbers(const std::optional<std::array<double, 3>>& values) {
@@ -27,85 +49,108 @@ Json numbers(const std::vector<double>& values) {
     return list;
 }
 
-Json program_object() { return {{"name", program_name}, {"version", program_version()}}; }
+Json program_object() {
+    return {{"name", program_name}, {"version", program_version()}};
+}
+
+Json ink_object(const InkChoice& ink) {
+    return ObjectBuilder()
+        .add("name", ink.name)
+        .add("source", ink.source)
+        .add("eta0", number(ink.law.eta0))
+        .add("eta_inf", number(ink.law.eta_inf))
+        .add("time_constant", number(ink.law.time_constant))
+        .add("alpha", number(ink.law.alpha))
+        .take();
+}
+
+Json cell_input_object(const CellChoice& cell) {
+    return ObjectBuilder()
+        .add("name", cell.name)
+        .add("source", cell.source)
+        .add("radius", number(cell.radius))
+        .add("shear_modulus", number(cell.shear_modulus))
+        .add("poisson_ratio", number(cell.poisson_ratio))
+        .add("viscosity_ratio", number(cell.viscosity_ratio))
+        .take();
+}
 
 Json input_object(const Prediction& prediction) {
     const Case& question = prediction.question;
-    const CrossInk& law = question.ink.law;
-    const CellChoice& cell = question.cell;
-    Json input;
-    input["radius"] = number(question.radius);
-    input["length"] = number(question.length);
-    input["flow_rate"] = number(prediction.nozzle.flow_rate);
-    input["ink"] = {{"name", question.ink.name},
-                    {"source", question.ink.source},
-                    {"eta0", number(law.eta0)},
-                    {"eta_inf", number(law.eta_inf)},
-                    {"time_constant", number(law.time_constant)},
-                    {"alpha", number(law.alpha)}};
-    input["cell"] = {{"name", cell.name},
-                     {"source", cell.source},
-                     {"radius", number(cell.radius)},
-                     {"shear_modulus", number(cell.shear_modulus)},
-                     {"poisson_ratio", number(cell.poisson_ratio)},
-                     {"viscosity_ratio", number(cell.viscosity_ratio)}};
     Json offsets = Json::array();
     for (const CellPosition& position : question.positions) offsets.push_back(number(position.value));
-    input["offsets"] = std::move(offsets);
+    ObjectBuilder input;
+    input.add("radius", number(question.radius))
+        .add("length", number(question.length))
+        .add("flow_rate", number(prediction.nozzle.flow_rate))
+        .add("ink", ink_object(question.ink))
+        .add("cell", cell_input_object(question.cell))
+        .add("offsets", std::move(offsets));
     if (question.needle) {
-        input["needle"] = {{"name", question.needle->name}, {"source", question.needle->source}};
+        input.add("needle", {{"name", question.needle->name}, {"source", question.needle->source}});
     }
-    return input;
+    return input.take();
 }
 
 Json nozzle_object(const NozzleAnswer& nozzle) {
-    return {{"flow_rate", number(nozzle.flow_rate)},
-            {"pressure_gradient", number(nozzle.pressure_gradient)},
-            {"velocity_average", number(nozzle.velocity_average)},
-            {"velocity_max", number(nozzle.velocity_max)},
-            {"shear_rate_max", number(nozzle.shear_rate_max)},
-            {"shear_rate_average", number(nozzle.shear_rate_average)},
-            {"stress_max", number(nozzle.stress_max)},
-            {"stress_average", number(nozzle.stress_average)},
-            {"viscosity_wall", number(nozzle.viscosity_wall)},
-            {"pressure_drop", number(nozzle.pressure_drop)},
-            {"residence_time", number(nozzle.residence_time)}};
+    return ObjectBuilder()
+        .add("flow_rate", number(nozzle.flow_rate))
+        .add("pressure_gradient", number(nozzle.pressure_gradient))
+        .add("velocity_average", number(nozzle.velocity_average))
+        .add("velocity_max", number(nozzle.velocity_max))
+        .add("shear_rate_max", number(nozzle.shear_rate_max))
+        .add("shear_rate_average", number(nozzle.shear_rate_average))
+        .add("stress_max", number(nozzle.stress_max))
+        .add("stress_average", number(nozzle.stress_average))
+        .add("viscosity_wall", number(nozzle.viscosity_wall))
+        .add("pressure_drop", number(nozzle.pressure_drop))
+        .add("residence_time", number(nozzle.residence_time))
+        .take();
 }
 
 std::string_view model_name(Model model) {
     switch (model) {
-        case Model::bullet: return "bullet";
-        case Model::roscoe_shear: return "roscoe-shear";
-        case Model::roscoe_elongation: return "roscoe-elongation";
+        case Model::bullet:
+            return "bullet";
+        case Model::roscoe_shear:
+            return "roscoe-shear";
+        case Model::roscoe_elongation:
+            return "roscoe-elongation";
     }
     return "";
 }
 
 Json cell_object(const CellAnswer& cell) {
-    Json object;
-    object["place"] = cell.place == Place::nozzle ? "nozzle" : "exit";
-    object["model"] = model_name(cell.model);
-    object["offset"] = number(cell.offset);
-    object["offset_in_cell_radii"] = number(cell.offset_in_cell_radii);
-    object["fluid_stress"] = number(cell.fluid_stress);
-    object["stress_ratio"] = number(cell.stress_ratio);
-    object["stretch"] = numbers(cell.stretch);
-    object["angle"] = number(cell.angle);
-    object["frequency"] = number(cell.frequency);
-    const auto part = [&](auto member) { return cell.stress ? std::optional((*cell.stress).*member) : std::nullopt; };
-    object["stress"] = {{"von_mises", number(part(&CellStress::von_mises))},
-                        {"elastic", numbers(part(&CellStress::elastic))},
-                        {"viscous", number(part(&CellStress::viscous))}};
-    if (cell.place == Place::exit) object["relaxation_time"] = number(cell.relaxation_time);
-    return object;
+    const auto part = [&](auto member) {
+        return cell.stress ? std::optional((*cell.stress).*member) : std::nullopt;
+    };
+    ObjectBuilder object;
+    object.add("place", cell.place == Place::nozzle ? "nozzle" : "exit")
+        .add("model", model_name(cell.model))
+        .add("offset", number(cell.offset))
+        .add("offset_in_cell_radii", number(cell.offset_in_cell_radii))
+        .add("fluid_stress", number(cell.fluid_stress))
+        .add("stress_ratio", number(cell.stress_ratio))
+        .add("stretch", numbers(cell.stretch))
+        .add("angle", number(cell.angle))
+        .add("frequency", number(cell.frequency))
+        .add("stress", ObjectBuilder()
+                           .add("von_mises", number(part(&CellStress::von_mises)))
+                           .add("elastic", numbers(part(&CellStress::elastic)))
+                           .add("viscous", number(part(&CellStress::viscous)))
+                           .take());
+    if (cell.place == Place::exit) object.add("relaxation_time", number(cell.relaxation_time));
+    return object.take();
 }
 
 Json profile_object(const RadialProfile& profile) {
-    return {{"r", numbers(profile.r)},
-            {"velocity", numbers(profile.velocity)},
-            {"shear_rate", numbers(profile.shear_rate)},
-            {"viscosity", numbers(profile.viscosity)},
-            {"stress", numbers(profile.stress)}};
+    return ObjectBuilder()
+        .add("r", numbers(profile.r))
+        .add("velocity", numbers(profile.velocity))
+        .add("shear_rate", numbers(profile.shear_rate))
+        .add("viscosity", numbers(profile.viscosity))
+        .add("stress", numbers(profile.stress))
+        .take();
 }
 
 std::string offered_by(const Json& place) {
@@ -133,21 +178,24 @@ const Json* step_into(const Json& place, const std::string& name) {
 }  // namespace
 
 Json answer_object(const Prediction& prediction) {
-    Json answer;
-    answer["schema"] = schema_name;
-    answer["program"] = program_object();
-    answer["input"] = input_object(prediction);
-    answer["nozzle"] = nozzle_object(prediction.nozzle);
-    answer["exit"] = {{"elongation_rate", number(prediction.exit.elongation_rate)},
-                      {"elongational_stress", number(prediction.exit.elongational_stress)}};
     Json cells = Json::array();
     for (const CellAnswer& cell : prediction.cells) cells.push_back(cell_object(cell));
-    answer["cells"] = std::move(cells);
-    if (prediction.profile) answer["profile"] = profile_object(*prediction.profile);
     Json warnings = Json::array();
-    for (const Warning& w : prediction.warnings) warnings.push_back({{"code", w.code}, {"message", w.message}});
-    answer["warnings"] = std::move(warnings);
-    return answer;
+    for (const Warning& warning : prediction.warnings) {
+        warnings.push_back(ObjectBuilder().add("code", warning.code).add("message", warning.message).take());
+    }
+    ObjectBuilder answer;
+    answer.add("schema", schema_name)
+        .add("program", program_object())
+        .add("input", input_object(prediction))
+        .add("nozzle", nozzle_object(prediction.nozzle))
+        .add("exit", ObjectBuilder()
+                         .add("elongation_rate", number(prediction.exit.elongation_rate))
+                         .add("elongational_stress", number(prediction.exit.elongational_stress))
+                         .take())
+        .add("cells", std::move(cells));
+    if (prediction.profile) answer.add("profile", profile_object(*prediction.profile));
+    return answer.add("warnings", std::move(warnings)).take();
 }
 
 Json refusal_object(const Refusal& refusal) {
@@ -183,9 +231,11 @@ const Json& value_at(const Json& answer, std::string_view path) {
         const std::size_t end = std::min(path.find('.', begin), path.size());
         const Json* next = step_into(*place, std::string(path.substr(begin, end - begin)));
         if (next == nullptr) {
-            const std::string known = begin == 0 ? "the answer" : "'" + std::string(path.substr(0, begin - 1)) + "'";
-            throw UsageError("--get: no value at '" + std::string(path) + "'; " + known + " has " + offered_by(*place),
-                             "--get");
+            const std::string known =
+                begin == 0 ? "the answer" : "'" + std::string(path.substr(0, begin - 1)) + "'";
+            throw UsageError(
+                "--get: no value at '" + std::string(path) + "'; " + known + " has " + offered_by(*place),
+                "--get");
         }
         place = next;
         begin = end + 1;
@@ -195,33 +245,51 @@ const Json& value_at(const Json& answer, std::string_view path) {
 
 std::string_view unit_of(std::string_view path) {
     static constexpr std::array<std::pair<std::string_view, std::string_view>, 33> units = {{
-        {"radius", "m"},           {"length", "m"},
-        {"offsets", "m"},          {"offset", "m"},
-        {"r", "m"},                {"flow_rate", "m^3/s"},
-        {"eta0", "Pa.s"},          {"eta_inf", "Pa.s"},
-        {"viscosity", "Pa.s"},     {"viscosity_wall", "Pa.s"},
-        {"time_constant", "s"},    {"residence_time", "s"},
-        {"relaxation_time", "s"},  {"shear_modulus", "Pa"},
-        {"pressure_drop", "Pa"},   {"stress_max", "Pa"},
-        {"stress_average", "Pa"},  {"elongational_stress", "Pa"},
-        {"fluid_stress", "Pa"},    {"von_mises", "Pa"},
-        {"elastic", "Pa"},         {"viscous", "Pa"},
-        {"stress", "Pa"},          {"pressure_gradient", "Pa/m"},
-        {"velocity", "m/s"},       {"velocity_average", "m/s"},
-        {"velocity_max", "m/s"},   {"shear_rate", "1/s"},
-        {"shear_rate_max", "1/s"}, {"shear_rate_average", "1/s"},
-        {"elongation_rate", "1/s"}, {"frequency", "1/s"},
+        {"radius", "m"},
+        {"length", "m"},
+        {"offsets", "m"},
+        {"offset", "m"},
+        {"r", "m"},
+        {"flow_rate", "m^3/s"},
+        {"eta0", "Pa.s"},
+        {"eta_inf", "Pa.s"},
+        {"viscosity", "Pa.s"},
+        {"viscosity_wall", "Pa.s"},
+        {"time_constant", "s"},
+        {"residence_time", "s"},
+        {"relaxation_time", "s"},
+        {"shear_modulus", "Pa"},
+        {"pressure_drop", "Pa"},
+        {"stress_max", "Pa"},
+        {"stress_average", "Pa"},
+        {"elongational_stress", "Pa"},
+        {"fluid_stress", "Pa"},
+        {"von_mises", "Pa"},
+        {"elastic", "Pa"},
+        {"viscous", "Pa"},
+        {"stress", "Pa"},
+        {"pressure_gradient", "Pa/m"},
+        {"velocity", "m/s"},
+        {"velocity_average", "m/s"},
+        {"velocity_max", "m/s"},
+        {"shear_rate", "1/s"},
+        {"shear_rate_max", "1/s"},
+        {"shear_rate_average", "1/s"},
+        {"elongation_rate", "1/s"},
+        {"frequency", "1/s"},
         {"angle", "rad"},
     }};
     const auto is_index = [](std::string_view name) {
-        return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; });
+        return !name.empty() &&
+               std::all_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; });
     };
     std::string_view leaf = path.substr(path.rfind('.') + 1);
     while (is_index(leaf) && leaf.size() < path.size()) {
         path.remove_suffix(leaf.size() + 1);
         leaf = path.substr(path.rfind('.') + 1);
     }
-    const auto found = std::find_if(units.begin(), units.end(), [&](const auto& unit) { return unit.first == leaf; });
+    const auto found =
+        std::find_if(units.begin(), units.end(), [&](const auto& unit) { return unit.first == leaf; });
     return found == units.end() ? std::string_view{} : found->second;
 }
 

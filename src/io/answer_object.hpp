@@ -7,7 +7,8 @@
 
 #include "bioprint/predict/prediction.hpp"
 
-/// The one place that knows the shape of an answer. JSON, CSV, `--get` and the schema's tests all start from it.
+/// The one place that knows the shape of an answer. JSON, CSV, `--get` and the schema's tests all start from
+/// it.
 namespace bioprint {
 
 using Json = nlohmann::ordered_json;

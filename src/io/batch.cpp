@@ -17,7 +17,9 @@ namespace {
 /// A source whose first bytes were looked at.
 class Peeked : public ByteSource {
   public:
-    explicit Peeked(ByteSource& source) : source_(source) { size_ = source_.read(head_.data(), head_.size()); }
+    explicit Peeked(ByteSource& source) : source_(source) {
+        size_ = source_.read(head_.data(), head_.size());
+    }
     [[nodiscard]] std::string_view head() const { return {head_.data(), size_}; }
     std::size_t read(char* into, std::size_t size) override {
         if (used_ == size_) return source_.read(into, size);

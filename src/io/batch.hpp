@@ -5,8 +5,8 @@
 
 #include "io/run.hpp"
 
-/// Many questions from a file, a row each: CSV or JSON Lines. Rows are read, answered by several threads and written
-/// in order, a chunk at a time, so memory does not grow with the file.
+/// Many questions from a file, a row each: CSV or JSON Lines. Rows are read, answered by several threads and
+/// written in order, a chunk at a time, so memory does not grow with the file.
 namespace bioprint {
 
 struct BatchInput {
@@ -15,7 +15,8 @@ struct BatchInput {
 };
 
 /// @param format  as asked for; by default a batch is answered in kind
-/// @param notice  remarks for standard error: columns that were not understood, rows that could not be answered
+/// @param notice  remarks for standard error: columns that were not understood, rows that could not be
+/// answered
 /// @throws DataError   the file cannot be read
 /// @throws UsageError  no header, no column that is understood, or a file that is neither CSV nor JSON Lines
 RunResult run_batch(const BatchInput& input, std::optional<Format> format, const RunOptions& options,

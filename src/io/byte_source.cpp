@@ -15,7 +15,7 @@ namespace bioprint {
 
 namespace {
 
-constexpr std::size_t piece_size = std::size_t{1} << 18U;
+constexpr std::size_t piece_size = std::size_t{1} << 16U;
 
 class FileBytes : public ByteSource {
   public:

@@ -37,7 +37,7 @@ class MemoryBytes : public ByteSource {
 };
 
 /// The bytes of a source that have been read and not yet dropped. Memory stays at the longest stretch kept at
-/// once plus one piece of 256 KiB.
+/// once plus two pieces of 64 KiB.
 class InputBuffer {
   public:
     explicit InputBuffer(ByteSource& source) : source_(source) {}

@@ -39,7 +39,8 @@ HeaderName split_header(std::string_view header) {
     return {trimmed(header.substr(0, open)), trimmed(header.substr(open + 1, close - open - 1))};
 }
 
-/// What a header means: which columns ask, which are the user's alone, and which are ours from an earlier run.
+/// What a header means: which columns ask, which are the user's alone, and which are ours from an earlier
+/// run.
 class Layout {
   public:
     explicit Layout(const std::vector<std::string>& header) {
@@ -74,7 +75,8 @@ class Layout {
         const std::optional<Key> key = find_key(parts.name);
         if (!key) return;
         if (asks(*key)) {
-            throw UsageError("column '" + header + "': a second column asks the same; remove or rename one", header);
+            throw UsageError("column '" + header + "': a second column asks the same; remove or rename one",
+                             header);
         }
         questions_.push_back({.index = index,
                               .key = *key,
@@ -100,8 +102,8 @@ struct Row {
 };
 
 bool ends_as_number(std::string_view text) {
-    return !text.empty() && (std::isdigit(static_cast<unsigned char>(text.back())) != 0 || text.back() == '.' ||
-                             text.back() == ',');
+    return !text.empty() && (std::isdigit(static_cast<unsigned char>(text.back())) != 0 ||
+                             text.back() == '.' || text.back() == ',');
 }
 
 class CsvBatch {
@@ -112,8 +114,9 @@ class CsvBatch {
           input_(input),
           options_(options) {
         if (layout_.questions().empty()) {
-            throw UsageError(input.file + ": no column is understood; name at least one after an option, such as "
-                                          "radius, flowrate, alpha, or a path such as input.ink.eta0");
+            throw UsageError(input.file +
+                             ": no column is understood; name at least one after an option, such as "
+                             "radius, flowrate, alpha, or a path such as input.ink.eta0");
         }
     }
 
@@ -155,13 +158,15 @@ class CsvBatch {
         std::string unknown;
         for (const std::size_t i : layout_.kept()) {
             const auto& questions = layout_.questions();
-            const bool asks = std::any_of(questions.begin(), questions.end(), [&](const auto& q) { return q.index == i; });
+            const bool asks =
+                std::any_of(questions.begin(), questions.end(), [&](const auto& q) { return q.index == i; });
             if (!asks) unknown += (unknown.empty() ? "'" : ", '") + reader_.header()[i] + "'";
         }
         if (!unknown.empty()) notice("columns handed back without a meaning to this program: " + unknown);
     }
 
-    /// Entries of `cells` to provide columns for. Where rows choose their positions, the first row sets how many.
+    /// Entries of `cells` to provide columns for. Where rows choose their positions, the first row sets how
+    /// many.
     [[nodiscard]] std::size_t entries() const {
         if (!layout_.asks(Key::offset)) return cell_entries(input_.defaults);
         for (const Row& row : rows_) {
@@ -222,7 +227,8 @@ class CsvBatch {
             if (layout_.is_kept(i)) row.kept += separator;
         }
         for (const QuestionColumn& q : layout_.questions()) {
-            row.cells.emplace_back(q.index < record.fields.size() ? record.fields[q.index] : std::string_view{});
+            row.cells.emplace_back(q.index < record.fields.size() ? record.fields[q.index]
+                                                                  : std::string_view{});
         }
         return row;
     }
@@ -288,8 +294,8 @@ class CsvBatch {
 
 }  // namespace
 
-RunResult run_csv_batch(ByteSource& source, const BatchInput& input, const RunOptions& options, const Sink& sink,
-                        const Sink& notice) {
+RunResult run_csv_batch(ByteSource& source, const BatchInput& input, const RunOptions& options,
+                        const Sink& sink, const Sink& notice) {
     return CsvBatch(source, input, options).run(sink, notice);
 }
 

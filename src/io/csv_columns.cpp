@@ -62,15 +62,15 @@ bool is_index(std::string_view name) {
            std::all_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-const Json* find(const Json& answer, const std::vector<std::string>& path) {
+const Json* find(const Json& answer, const std::vector<CsvColumns::Step>& path) {
     const Json* place = &answer;
-    for (const std::string& name : path) {
+    for (const CsvColumns::Step& step : path) {
         if (place->is_object()) {
-            const auto found = place->find(name);
+            const auto found = place->find(step.name);
             if (found == place->end()) return nullptr;
             place = &*found;
-        } else if (place->is_array() && is_index(name) && std::stoul(name) < place->size()) {
-            place = &(*place)[std::stoul(name)];
+        } else if (place->is_array() && step.index && *step.index < place->size()) {
+            place = &(*place)[*step.index];
         } else {
             return nullptr;
         }
@@ -99,18 +99,19 @@ CsvColumns::CsvColumns(std::size_t cell_entries) : cell_entries_(cell_entries) {
 }
 
 void CsvColumns::add(const std::string& path) {
-    std::vector<std::string> names;
+    std::vector<Step> steps;
     for (std::size_t begin = 0; begin <= path.size();) {
         const std::size_t end = std::min(path.find('.', begin), path.size());
-        names.push_back(path.substr(begin, end - begin));
+        const std::string name = path.substr(begin, end - begin);
+        steps.push_back({name, is_index(name) ? std::optional<std::size_t>(std::stoul(name)) : std::nullopt});
         begin = end + 1;
     }
-    paths_.push_back(std::move(names));
+    paths_.push_back(std::move(steps));
     headers_.push_back(with_unit(path));
 }
 
 void CsvColumns::write(const Json& answer, CsvWriter& writer) const {
-    for (const std::vector<std::string>& path : paths_) {
+    for (const std::vector<Step>& path : paths_) {
         const Json* value = find(answer, path);
         if (value == nullptr || value->is_null()) {
             writer.add_empty();

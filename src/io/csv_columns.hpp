@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,12 @@ namespace bioprint {
 
 class CsvColumns {
   public:
+    /// One name of a dotted path; a number is an index where the answer has a list.
+    struct Step {
+        std::string name;
+        std::optional<std::size_t> index;
+    };
+
     /// @param cell_entries  entries of `cells` to provide columns for
     explicit CsvColumns(std::size_t cell_entries);
 
@@ -29,7 +36,7 @@ class CsvColumns {
   private:
     void add(const std::string& path);
     std::size_t cell_entries_;
-    std::vector<std::vector<std::string>> paths_;
+    std::vector<std::vector<Step>> paths_;
     std::vector<std::string> headers_;
 };
 

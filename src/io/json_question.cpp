@@ -39,7 +39,8 @@ void set_value(Settings& settings, Key key, const json& value, const std::string
     } else if (value.is_array() && key == Key::offset) {
         settings.set(key, positions_text(value, path), path);
     } else {
-        throw UsageError(path + ": takes a number in SI units or a string with a unit such as \"50um\"", path);
+        throw UsageError(path + ": takes a number in SI units or a string with a unit such as \"50um\"",
+                         path);
     }
 }
 
@@ -52,8 +53,9 @@ void read_object(Settings& settings, const json& object, const std::string& pref
             } else if (const std::optional<Key> key = find_key(path)) {
                 set_value(settings, *key, item.value(), path);
             } else if (!is_remark(path)) {
-                throw UsageError(path + ": not an option; known are radius, flowrate, velocity, ink, alpha, "
-                                        "cell-radius, shear-modulus and the others of --help",
+                throw UsageError(path +
+                                     ": not an option; known are radius, flowrate, velocity, ink, alpha, "
+                                     "cell-radius, shear-modulus and the others of --help",
                                  path);
             }
         });

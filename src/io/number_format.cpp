@@ -147,7 +147,7 @@ std::string format_in(double value, const LabUnit& unit, int digits) {
             .append(std::to_string(size));
     }
     if (exponent < 0) {
-        out.append("0.").append(static_cast<std::size_t>(-exponent - 1), '0').append(mantissa);
+        out.append("0.").append(static_cast<std::size_t>(-exponent) - 1, '0').append(mantissa);
         return out;
     }
     const auto whole = static_cast<std::size_t>(exponent + 1);

@@ -11,7 +11,8 @@
 /// Work on the items of a chunk by several threads; results stay in their order.
 namespace bioprint {
 
-/// Calls `work(i)` for i from 0 to count − 1 on up to `jobs` threads; the first exception is thrown again here.
+/// Calls `work(i)` for i from 0 to count − 1 on up to `jobs` threads; the first exception is thrown again
+/// here.
 template <class Work>
 void for_each_index(std::size_t count, unsigned jobs, const Work& work) {
     constexpr std::size_t batch = 16;  // items a thread takes at a time: far above the cost of taking them

@@ -11,7 +11,9 @@
 namespace bioprint {
 namespace {
 
-std::string brief(double value) { return format_lab(value, Dimension::dimensionless, 2).number; }
+std::string brief(double value) {
+    return format_lab(value, Dimension::dimensionless, 2).number;
+}
 
 double relative(double value, double reference) {
     return reference == 0.0 ? std::abs(value) : std::abs(value / reference - 1.0);
@@ -37,9 +39,10 @@ std::string reference_report(const Settings& settings) {
                              .shear_modulus = question.cell.shear_modulus,
                              .viscosity_ratio = question.cell.viscosity_ratio};
         const ShearResidual residual = shear_residual(load, roscoe_shear(load));
-        report += "cell at " + brief(cell.offset * 1e6) + " um: Roscoe's equations hold to " +
-                  brief(std::max({std::abs(residual.shape), std::abs(residual.torque), std::abs(residual.load)})) +
-                  "; the quadrature's own error estimate is " + brief(residual.quadrature_error) + "\n";
+        report +=
+            "cell at " + brief(cell.offset * 1e6) + " um: Roscoe's equations hold to " +
+            brief(std::max({std::abs(residual.shape), std::abs(residual.torque), std::abs(residual.load)})) +
+            "; the quadrature's own error estimate is " + brief(residual.quadrature_error) + "\n";
     }
     return report;
 }

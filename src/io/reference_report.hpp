@@ -4,7 +4,8 @@
 
 #include "io/settings.hpp"
 
-/// What `--verbose` adds: the fast routes of an answer against adaptive quadrature, with its own error estimate.
+/// What `--verbose` adds: the fast routes of an answer against adaptive quadrature, with its own error
+/// estimate.
 namespace bioprint {
 
 std::string reference_report(const Settings& question);

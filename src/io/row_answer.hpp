@@ -27,7 +27,8 @@ RowAnswer answer_row(const std::function<Settings()>& question);
 /// The values at `paths`, one line, separated by tabs; `null` throughout for a refusal.
 std::string values_line(const RowAnswer& answer, const std::vector<std::string>& paths);
 
-/// Rows computed between two writes: enough for all threads, small enough that memory does not grow with the rows.
+/// Rows computed between two writes: enough for all threads, small enough that memory does not grow with the
+/// rows.
 inline constexpr std::size_t chunk_rows = 2048;
 
 /// A value alone: numbers in their shortest form, texts bare, lists and objects as JSON.

@@ -9,8 +9,9 @@
 #include "bioprint/io/quantity.hpp"
 #include "bioprint/predict/case.hpp"
 
-/// What a user said about one question, before it is a case: texts by option, from the command line, a CSV row or a
-/// JSON object alike. Later levels overlay earlier ones (a row's radius replaces the command line's needle).
+/// What a user said about one question, before it is a case: texts by option, from the command line, a CSV
+/// row or a JSON object alike. Later levels overlay earlier ones (a row's radius replaces the command line's
+/// needle).
 namespace bioprint {
 
 enum class Key {
@@ -45,7 +46,7 @@ struct KeyInfo {
     std::string_view short_name;  ///< "R", or empty
     std::string_view path;        ///< "radius", "ink.eta0", …; empty where the answer has no such input
     std::optional<Dimension> dimension;  ///< none for names and positions
-    bool sweeps;                  ///< takes a list or range
+    bool sweeps;                         ///< takes a list or range
     std::string_view help;
 };
 const std::array<KeyInfo, key_count>& key_table();
@@ -62,7 +63,8 @@ struct SettingValue {
 
 class Settings {
   public:
-    /// Parses `text` as the value of `key`; `origin` is what the user called it ("--radius", "column 'radius'").
+    /// Parses `text` as the value of `key`; `origin` is what the user called it ("--radius", "column
+    /// 'radius'").
     /// @throws UsageError
     void set(Key key, std::string_view text, std::string_view origin, NumberStyle style = {});
     /// A number in SI units.
@@ -75,7 +77,8 @@ class Settings {
     /// One of radius, diameter and needle replaces the others, as does one of the four that drive the flow.
     [[nodiscard]] Settings over(const Settings& defaults) const;
 
-    /// The case, with what nobody said taken from the paper's: R 50 µm, 5 mm/s, ink alginate-2.5, cell reference.
+    /// The case, with what nobody said taken from the paper's: R 50 µm, 5 mm/s, ink alginate-2.5, cell
+    /// reference.
     /// @throws UsageError  every problem, one a line
     [[nodiscard]] Case make_case() const;
 

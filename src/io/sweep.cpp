@@ -29,7 +29,8 @@ void Sweep::add(Key key, std::string_view text, std::string_view origin) {
     } else {
         axis.names = split_names(text);
     }
-    // Claimed in `fixed_` too, so that options which exclude each other are found whatever their number of values.
+    // Claimed in `fixed_` too, so that options which exclude each other are found whatever their number of
+    // values.
     if (info.dimension) {
         fixed_.set_number(key, axis.numbers.front(), origin);
     } else {
@@ -37,7 +38,8 @@ void Sweep::add(Key key, std::string_view text, std::string_view origin) {
     }
     if (axis.size() < 2) return;
     if (size() > std::numeric_limits<std::size_t>::max() / axis.size()) {
-        throw UsageError(std::string(origin) + ": the sweep has too many rows; split it", std::string(origin));
+        throw UsageError(std::string(origin) + ": the sweep has too many rows; split it",
+                         std::string(origin));
     }
     swept_.push_back(key);
     axes_.push_back(std::move(axis));

@@ -13,8 +13,8 @@ constexpr std::size_t page_width = 80;
 
 /// Columns a UTF-8 text takes: bytes that do not continue a character.
 std::size_t width_of(std::string_view text) {
-    return static_cast<std::size_t>(
-        std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+    return static_cast<std::size_t>(std::count_if(
+        text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
 std::string padded(std::string text, std::size_t width, bool left) {
@@ -28,7 +28,9 @@ std::string lab(double value, Dimension dimension) {
     return n.unit.empty() ? n.number : n.number + " " + n.unit;
 }
 
-std::string plain(double value, int digits = 4) { return format_lab(value, Dimension::dimensionless, digits).number; }
+std::string plain(double value, int digits = 4) {
+    return format_lab(value, Dimension::dimensionless, digits).number;
+}
 
 std::string heading(std::string_view text, TableStyle style) {
     return style.color ? "\033[1m" + std::string(text) + "\033[0m\n" : std::string(text) + "\n";
@@ -65,7 +67,8 @@ std::string two_columns(const std::vector<Entry>& entries) {
     for (std::size_t i = 0; i < entries.size(); i += 2) {
         std::string line = "  " + padded(entries[i].first, 20, true) + padded(entries[i].second, 16, false);
         if (i + 1 < entries.size()) {
-            line += "    " + padded(entries[i + 1].first, 21, true) + padded(entries[i + 1].second, 15, false);
+            line +=
+                "    " + padded(entries[i + 1].first, 21, true) + padded(entries[i + 1].second, 15, false);
         }
         out += line + "\n";
     }
@@ -79,10 +82,16 @@ std::string grid(const std::vector<std::vector<std::string>>& rows, std::size_t 
         widths.resize(std::max(widths.size(), row.size()), 0);
         for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width_of(row[i]));
     }
+    // Two spaces between columns where the page allows, else one.
+    std::size_t total = 1;
+    for (const std::size_t width : widths) total += width + 2;
+    const std::size_t gap = total > page_width ? 1 : 2;
     std::string out;
     for (const auto& row : rows) {
-        std::string line = " ";
-        for (std::size_t i = 0; i < row.size(); ++i) line += " " + padded(row[i], widths[i] + (i ? 1 : 0), i < left);
+        std::string line;
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            line += std::string(i == 0 ? 2 : gap, ' ') + padded(row[i], widths[i], i < left);
+        }
         out += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
     }
     return out;
@@ -96,7 +105,8 @@ std::string input_section(const Prediction& prediction, TableStyle style) {
     if (law.eta_inf > 0.0) ink += ", η∞ " + lab(law.eta_inf, Dimension::viscosity);
     std::string cell = question.cell.name + ": radius " + lab(question.cell.radius, Dimension::length) +
                        ", shear modulus " + lab(question.cell.shear_modulus, Dimension::pressure);
-    if (question.cell.viscosity_ratio != 1.0) cell += ", viscosity ratio " + plain(question.cell.viscosity_ratio);
+    if (question.cell.viscosity_ratio != 1.0)
+        cell += ", viscosity ratio " + plain(question.cell.viscosity_ratio);
     std::string nozzle = "radius " + lab(question.radius, Dimension::length);
     if (question.length) nozzle += ", length " + lab(*question.length, Dimension::length);
     if (question.needle) nozzle += " (" + question.needle->name + ")";
@@ -107,17 +117,20 @@ std::string input_section(const Prediction& prediction, TableStyle style) {
 }
 
 std::string nozzle_section(const NozzleAnswer& nozzle, TableStyle style) {
-    std::vector<Entry> entries = {{"flow rate", lab(nozzle.flow_rate, Dimension::volume_flow)},
-                                  {"pressure gradient", lab(nozzle.pressure_gradient, Dimension::pressure_gradient)},
-                                  {"average velocity", lab(nozzle.velocity_average, Dimension::velocity)},
-                                  {"largest velocity", lab(nozzle.velocity_max, Dimension::velocity)},
-                                  {"average stress", lab(nozzle.stress_average, Dimension::pressure)},
-                                  {"stress at the wall", lab(nozzle.stress_max, Dimension::pressure)},
-                                  {"average shear rate", lab(nozzle.shear_rate_average, Dimension::rate)},
-                                  {"shear rate at wall", lab(nozzle.shear_rate_max, Dimension::rate)},
-                                  {"viscosity at wall", lab(nozzle.viscosity_wall, Dimension::viscosity)}};
-    if (nozzle.pressure_drop) entries.emplace_back("pressure drop", lab(*nozzle.pressure_drop, Dimension::pressure));
-    if (nozzle.residence_time) entries.emplace_back("residence time", lab(*nozzle.residence_time, Dimension::time));
+    std::vector<Entry> entries = {
+        {"flow rate", lab(nozzle.flow_rate, Dimension::volume_flow)},
+        {"pressure gradient", lab(nozzle.pressure_gradient, Dimension::pressure_gradient)},
+        {"average velocity", lab(nozzle.velocity_average, Dimension::velocity)},
+        {"largest velocity", lab(nozzle.velocity_max, Dimension::velocity)},
+        {"average stress", lab(nozzle.stress_average, Dimension::pressure)},
+        {"stress at the wall", lab(nozzle.stress_max, Dimension::pressure)},
+        {"average shear rate", lab(nozzle.shear_rate_average, Dimension::rate)},
+        {"shear rate at wall", lab(nozzle.shear_rate_max, Dimension::rate)},
+        {"viscosity at wall", lab(nozzle.viscosity_wall, Dimension::viscosity)}};
+    if (nozzle.pressure_drop)
+        entries.emplace_back("pressure drop", lab(*nozzle.pressure_drop, Dimension::pressure));
+    if (nozzle.residence_time)
+        entries.emplace_back("residence time", lab(*nozzle.residence_time, Dimension::time));
     return "\n" + heading("In the nozzle", style) + two_columns(entries);
 }
 
@@ -129,9 +142,12 @@ std::string exit_section(const ExitAnswer& exit, TableStyle style) {
 
 std::string_view model_label(Model model) {
     switch (model) {
-        case Model::bullet: return "bullet";
-        case Model::roscoe_shear: return "shear";
-        case Model::roscoe_elongation: return "elongation";
+        case Model::bullet:
+            return "bullet";
+        case Model::roscoe_shear:
+            return "shear";
+        case Model::roscoe_elongation:
+            return "elongation";
     }
     return "";
 }
@@ -159,11 +175,11 @@ std::string cells_section(const Prediction& prediction, TableStyle style) {
 }
 
 std::string profile_section(const RadialProfile& profile, TableStyle style) {
-    std::vector<std::vector<std::string>> rows = {
-        {"r", "velocity", "shear rate", "viscosity", "stress"}, {"µm", "mm/s", "1/s", "Pa.s", "Pa"}};
+    std::vector<std::vector<std::string>> rows = {{"r", "velocity", "shear rate", "viscosity", "stress"},
+                                                  {"µm", "mm/s", "1/s", "Pa.s", "Pa"}};
     for (std::size_t i = 0; i < profile.r.size(); ++i) {
-        rows.push_back({plain(profile.r[i] * 1e6), plain(profile.velocity[i] * 1e3), plain(profile.shear_rate[i]),
-                        plain(profile.viscosity[i]), plain(profile.stress[i])});
+        rows.push_back({plain(profile.r[i] * 1e6), plain(profile.velocity[i] * 1e3),
+                        plain(profile.shear_rate[i]), plain(profile.viscosity[i]), plain(profile.stress[i])});
     }
     return "\n" + heading("Profile", style) + grid(rows, 0);
 }
@@ -216,7 +232,8 @@ void SweepTable::add(const Settings& row, const Prediction& prediction) {
     cells.push_back(complete && at_exit > 0.0 ? lab(at_exit, Dimension::pressure) : "–");
     rows_.push_back(std::move(cells));
     for (const Warning& warning : prediction.warnings) {
-        if (std::find(notes_.begin(), notes_.end(), warning.code) == notes_.end()) notes_.push_back(warning.code);
+        if (std::find(notes_.begin(), notes_.end(), warning.code) == notes_.end())
+            notes_.push_back(warning.code);
     }
 }
 
@@ -233,8 +250,12 @@ std::string SweepTable::text(TableStyle style) const {
         rows[0].emplace_back(info_of(key).option);
         rows[1].emplace_back();
     }
-    for (const auto& [top, bottom] :
-         {Entry{"flow", "rate"}, {"pressure", "gradient"}, {"wall", "stress"}, {"exit", "stress"}, {"cell stress", "in nozzle"}, {"cell stress", "at exit"}}) {
+    for (const auto& [top, bottom] : {Entry{"flow", "rate"},
+                                      {"pressure", "gradient"},
+                                      {"wall", "stress"},
+                                      {"exit", "stress"},
+                                      {"cell stress", "in nozzle"},
+                                      {"cell stress", "at exit"}}) {
         rows[0].push_back(top);
         rows[1].push_back(bottom);
     }

@@ -6,7 +6,8 @@
 #include "bioprint/predict/prediction.hpp"
 #include "io/settings.hpp"
 
-/// The answer for a person at a shell: lab units, aligned, at most 80 columns (names of presets may be longer).
+/// The answer for a person at a shell: lab units, aligned, at most 80 columns (names of presets may be
+/// longer).
 namespace bioprint {
 
 struct TableStyle {

@@ -63,10 +63,7 @@ void check_sizes(const Case& question, Collector& warn) {
 
 void check_needle(const Case& question, Collector& warn) {
     if (!question.needle) return;
-    if (question.needle->tip_assumed) {
-        warn.add("needle_bore", "a gauge alone is ambiguous: used " + question.needle->name +
-                                    "; add --tip steel, tapered or hypodermic");
-    }
+    if (!question.needle->remark.empty()) warn.add("needle_bore", question.needle->remark);
     if (question.needle->tapered) {
         warn.add("tapered_tip",
                  "the tapered tip is treated as a straight tube of its orifice; stress at the orifice is "

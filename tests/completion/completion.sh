@@ -31,12 +31,14 @@ expect 'steel tapered hypodermic' --tip ''
 expect 'nozzles' --list n
 expect 'rows.csv' --batch ro
 expect 'rows.csv' -R 50um -o row
-expect 'alginate-2.5' --ink alginate-2.5
+[[ $("$program" --list inks | grep -c '^alginate') -gt 1 ]]
+expect '25G' --needle 25
 expect 'my ink.json' --ink my
 expect 'reference' --cell ref
 expect '' --radius 5
 expect '' 50um
 expect '--version' --ink alginate-2.5 --vers
+expect '' --cell name
 
 # Every long option the help names is proposed, and every one proposed is in the help.
 COMP_WORDS=("$program" --)

@@ -4,7 +4,5 @@ bioprint_tests(cell
   LINKS cell numerics
   PRIVATE GSL::gsl GSL::gslcblas)
 
-# Times per call; not a test, run it on a quiet machine.
-add_executable(bench_cell bench/cell.cpp)
-target_include_directories(bench_cell PRIVATE ${PROJECT_SOURCE_DIR}/src)
-target_link_libraries(bench_cell PRIVATE bioprint_cell bioprint_options)
+# Times per call.
+bioprint_bench(cell SOURCES bench/cell.cpp LINKS cell)

@@ -10,6 +10,7 @@ set_tests_properties(examples-notice PROPERTIES LABELS unsanitized)
 if(TARGET bioprint-predict)
   set(place --bin $<TARGET_FILE_DIR:bioprint-predict> --files ${PROJECT_SOURCE_DIR}/data/examples)
   add_test(NAME examples COMMAND Python3::Interpreter ${examples} ${place} ${documents})
+  set_tests_properties(examples PROPERTIES LABELS unsanitized)
   add_custom_target(update-examples
     COMMAND Python3::Interpreter ${examples} --update ${place} ${documents} DEPENDS bioprint-predict VERBATIM)
 endif()

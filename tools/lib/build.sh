@@ -9,7 +9,7 @@ show_progress() {
     local line held=
     while IFS= read -r line; do
         case $line in
-            'ninja: no work to do.' | 'ninja: Entering directory'*) continue ;;
+            'ninja: no work to do.' | '[0/'*'Re-checking globbed directories'* | '-- GLOB mismatch!') continue ;;
             '['*) if [[ -t 2 ]]; then printf '\r\033[K%.70s' "$line" && held=1 && continue; fi ;;
         esac
         [[ $held ]] && printf '\n' && held=
@@ -29,6 +29,11 @@ build() {
     mkdir -p "$dir" || return 1
     (
         flock 9
+        # A checkout that was moved or copied brings a build along that still points to the old place.
+        if [[ -f $dir/CMakeCache.txt ]] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" "$dir/CMakeCache.txt"; then
+            rm -rf "$dir"
+            mkdir -p "$dir"
+        fi
         if [[ ! -f $dir/build.ninja ]]; then
             printf 'bioprint-predict: building (once; a minute or two)\n' >&2
             # A configuration that was broken off leaves a cache behind that would be believed.

@@ -38,8 +38,8 @@ struct CellPosition {
 struct NeedleChoice {
     std::string name;
     std::string source;
+    std::string remark;  ///< which other bores the gauge could have meant; empty when it was unambiguous
     bool tapered = false;
-    bool tip_assumed = false;  ///< the gauge alone was given
 };
 
 struct Case {
