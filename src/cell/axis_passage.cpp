@@ -24,12 +24,17 @@
 namespace bioprint {
 namespace {
 
+/// Where the inner iteration takes its last step, relative.
+constexpr double close_enough = 1e-4;
+
 using State = OdeState<4>;
 enum Component : std::size_t { log_stretch, mode1, mode3, elapsed };
 
-/// Positive half of the six-point Gauss rule on [−1, 1].
+/// Positive halves of Gauss rules on [−1, 1].
 constexpr std::array<double, 3> node{0.23861918608319691, 0.66120938646626451, 0.93246951420315203};
 constexpr std::array<double, 3> weight{0.46791393457269105, 0.36076157304813861, 0.17132449237917035};
+constexpr std::array<double, 2> short_node{0.33998104358485626, 0.86113631159405258};
+constexpr std::array<double, 2> short_weight{0.65214515486254614, 0.34785484513745386};
 
 /// The ink around the cell, averaged over its volume.
 struct Surroundings {
@@ -66,7 +71,7 @@ class Passage {
                 .x3 = 2.0 * axial - across};
     }
 
-    [[nodiscard]] State derivative(double z, const State& y) const {
+    State derivative(double z, const State& y) {
         const Surroundings s = surroundings(z);
         const double inside = inner_elongation(s, y[log_stretch]);
         const double mu = cell_.shear_modulus;
@@ -122,16 +127,25 @@ class Passage {
         return sum;
     }
 
-    /// The largest undisturbed stress on the way, over μ: the size of the deformation to expect.
-    [[nodiscard]] double load_scale(const AxisWay& way) const {
-        double load = 0.0;
+    /// What the integration will meet: the size of the deformation, and the relaxation times the way lasts.
+    struct Prospect {
+        double load;
+        double relaxations;
+    };
+    [[nodiscard]] Prospect prospect(const AxisWay& way) const {
         constexpr int samples = 32;
+        const double part = (way.to - way.from) / samples;
+        double load = 0.0;
+        double relaxations = 0.0;
         for (int i = 0; i <= samples; ++i) {
-            const AxisFlow f = flow_(way.from + (way.to - way.from) * i / samples);
+            const AxisFlow f = flow_(way.from + part * i);
             const double local = rate(f.elongation);
-            load = std::max(load, viscosity(ink_, local) * local + std::abs(f.radial) * cell_.radius);
+            const double eta = viscosity(ink_, local);
+            load = std::max(load, eta * local + std::abs(f.radial) * cell_.radius);
+            relaxations +=
+                part / f.velocity * cell_.shear_modulus / (eta * (2.0 / 3.0 + cell_.viscosity_ratio));
         }
-        return std::clamp(load / cell_.shear_modulus, 1e-30, 1.0);
+        return {.load = std::clamp(load / cell_.shear_modulus, 1e-30, 1.0), .relaxations = relaxations};
     }
 
   private:
@@ -144,23 +158,23 @@ class Passage {
     [[nodiscard]] double average_elongation(double z) const {
         const double a = cell_.radius;
         double sum = 0.0;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const AxisFlow ahead = flow_(z + a * node[i]);
-            const AxisFlow behind = flow_(z - a * node[i]);
+        for (std::size_t i = 0; i < 2; ++i) {
+            const AxisFlow ahead = flow_(z + a * short_node[i]);
+            const AxisFlow behind = flow_(z - a * short_node[i]);
             double difference = ahead.velocity - behind.velocity;
             if (effects_.quadratic_flow) {
-                difference += a * a * (1.0 - node[i] * node[i]) *
+                difference += a * a * (1.0 - short_node[i] * short_node[i]) *
                               (ahead.radial / viscosity(ink_, rate(ahead.elongation)) -
                                behind.radial / viscosity(ink_, rate(behind.elongation)));
             }
-            sum += weight[i] * node[i] * difference;
+            sum += short_weight[i] * short_node[i] * difference;
         }
         return 1.5 / a * sum;
     }
 
     /// d from the balance of stresses: a fixed point in the two viscosities that depend on it, by secant
     /// steps.
-    [[nodiscard]] double inner_elongation(const Surroundings& s, double x) const {
+    double inner_elongation(const Surroundings& s, double x) {
         const double elastic = cell_.shear_modulus / 3.0 * stretch_difference(x);
         const double k = 2.0 / (3.0 * spheroid_integral(x)) - 1.0;
         const double lambda = cell_.viscosity_ratio;
@@ -168,22 +182,28 @@ class Passage {
             return ((s.viscosity + around * k) * s.elongation - elastic) / (inside + around * k);
         };
         if (!effects_.disturbed_viscosity) return balance(s.viscosity, lambda * s.viscosity);
+        if (ink_.alpha == 0.0) return balance(s.viscosity, lambda * s.viscosity);
         const auto next = [&](double d) {
             const double c = thinning_(s.elongation, d - s.elongation);
-            return balance(ink_.eta_inf + (ink_.eta0 - ink_.eta_inf) * c, lambda * viscosity(ink_, rate(d)));
+            around_ = ink_.eta_inf + (ink_.eta0 - ink_.eta_inf) * c;
+            inside_ = lambda * viscosity(ink_, rate(d));
+            return balance(around_, inside_);
         };
-        double before = balance(s.viscosity, lambda * s.viscosity);
-        if (ink_.alpha == 0.0) return before;
+        // The viscosities of the moment before are the first guess.
+        double before =
+            around_ > 0.0 ? balance(around_, inside_) : balance(s.viscosity, lambda * s.viscosity);
         double d = next(before);
         double step_before = d - before;
+        const double scale = std::abs(d) + std::abs(s.elongation);
         for (int i = 0; i < 40; ++i) {
             const double step = next(d) - d;
-            if (std::abs(step) <= 1e-9 * (std::abs(d) + std::abs(s.elongation))) return d + step;
             const double slope = (step - step_before) / (d - before);
             before = d;
             step_before = step;
-            // A fixed point that attracts has slope < 0; a secant that says otherwise is not trusted.
+            // A fixed point that attracts has slope < 0; a secant that says otherwise is not trusted. The
+            // error left is the step times that of the slope: two orders below.
             d += slope < -0.05 ? -step / slope : step;
+            if (std::abs(step) <= close_enough * scale) break;
         }
         return d;
     }
@@ -193,6 +213,8 @@ class Passage {
     const AxisCell& cell_;
     const AxisEffects& effects_;
     ThinningResponse thinning_;
+    double around_ = 0.0;  ///< viscosity the disturbance met last
+    double inside_ = 0.0;  ///< and that inside the cell
 };
 
 void check(const AxisCell& cell, const AxisWay& way) {
@@ -297,19 +319,18 @@ AxisPassage carry_along_axis(FunctionRef<AxisFlow(double)> flow, const CrossInk&
                              const AxisWay& way, const AxisEffects& effects,
                              FunctionRef<void(const AxisCellState&)> observe) {
     check(cell, way);
-    const Passage passage(flow, ink, cell, effects);
+    Passage passage(flow, ink, cell, effects);
     const State start = passage.start(way.from);
-    const double load = passage.load_scale(way);
+    const auto [load, relaxations] = passage.prospect(way);
     const double duration = (way.to - way.from) / flow(way.from).velocity;
     const State scale{load, load, load, duration};
     Recorder recorder(passage, way, start, observe);
     const auto f = [&](double z, const State& y) { return passage.derivative(z, y); };
-    const OdeOptions options{
-        .tolerance = way.tolerance, .first_step = 0.01 * (way.to - way.from), .max_steps = 2000};
-    auto done = dormand_prince<4>(f, way.from, way.to, start, scale, options, recorder);
-    if (!done.finished) {  // stiff: a cell that relaxes much faster than it travels
-        done = rosenbrock<4>(f, done.x, way.to, done.y, scale, options, recorder);
-    }
+    const OdeOptions options{.tolerance = way.tolerance, .first_step = 0.01 * (way.to - way.from)};
+    // An explicit step cannot be much longer than the relaxation time.
+    const bool stiff = relaxations > 1000.0;
+    const auto done = stiff ? rosenbrock<4>(f, way.from, way.to, start, scale, options, recorder)
+                            : dormand_prince<4>(f, way.from, way.to, start, scale, options, recorder);
     if (!done.finished) throw NotConverged("cell on the axis: the integration in time gave up");
     return recorder.finish();
 }

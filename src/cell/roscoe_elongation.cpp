@@ -4,8 +4,8 @@
 #include <numbers>
 
 #include "bioprint/cell/roscoe.hpp"
-#include "bioprint/cell/shape_integrals.hpp"
 #include "cell/checks.hpp"
+#include "cell/spheroid.hpp"
 #include "numerics/monotone_root.hpp"
 
 // x = |ln α1|. The load of a shape, (2/√3) σ_f/μ = |α1² − 1/α1| g2'', rises from 0.8 x to its turning point.
@@ -31,9 +31,7 @@ double stretch_difference(double log_stretch) {
 }
 
 double load_of(double log_stretch) {
-    const double across = std::exp(-log_stretch);
-    const ShapeIntegrals g = shape_integrals({std::exp(2.0 * log_stretch), across, across});
-    return std::abs(stretch_difference(log_stretch)) * g.second[1];
+    return std::abs(stretch_difference(log_stretch)) * spheroid_integral(log_stretch);
 }
 
 double unfold(double part) {

@@ -59,33 +59,29 @@ const Points& points() {
     return all;
 }
 
-/// γ̇^α of the undisturbed ink and, at every point, of the disturbed one, for e = cos φ and d − e = sin φ.
-struct Powers {
-    double undisturbed;
-    std::array<double, 36> local;
-};
+/// γ̇^α of the disturbed ink at every point, for e = cos φ and d − e = sin φ.
+using Powers = std::array<double, 36>;
 
 Powers powers(double cosine, double sine, double alpha) {
-    Powers p{.undisturbed = std::pow(std::abs(cosine), alpha), .local = {}};
+    Powers p{};
     for (std::size_t k = 0; k < points().size(); ++k) {
         const Point& q = points()[k];
         const double square =
             cosine * cosine + (2.0 * cosine * sine * q.product + sine * sine * q.square) / 1.5;
-        p.local[k] = std::pow(std::max(square, 0.0), 0.5 * alpha);
+        p[k] = std::pow(std::max(square, 0.0), 0.5 * alpha);
     }
     return p;
 }
 
-/// c_b (1 + X) with X/(1 + X) = level, X = (K γ̇)^α of unit size.
+/// c_b (1 + X) with X/(1 + X) = level, X = (K γ̇)^α of unit size. The undisturbed viscosity drops out: the
+/// average of ε' over every shell round the sphere is zero.
 double response(const Powers& p, double cosine, double sine, double level) {
-    const auto c = [level](double power) { return 1.0 / (1.0 + level * (power - 1.0)); };
-    const double far = c(p.undisturbed);
     double top = 0.0;
     double bottom = 0.0;
     for (std::size_t k = 0; k < points().size(); ++k) {
         const Point& q = points()[k];
-        const double near = c(p.local[k]);
-        top += q.weight * (near * q.square + (near - far) * (cosine / sine) * q.product);
+        const double near = 1.0 / (1.0 + level * (p[k] - 1.0));
+        top += q.weight * near * (q.square + cosine / sine * q.product);
         bottom += q.weight * q.square;
     }
     return top / bottom;
@@ -98,38 +94,46 @@ struct Sizes {
 
 Sizes sizes(double elongation, double disturbance) {
     const double sign = elongation < 0.0 ? -1.0 : 1.0;
-    return {.size = std::hypot(elongation, disturbance),
+    return {.size = std::sqrt(elongation * elongation + disturbance * disturbance),
             .angle = std::atan2(sign * disturbance, std::abs(elongation))};
 }
+
+/// cos(n π (k + ½)/N): the Chebyshev polynomials at their nodes.
+template <std::size_t N>
+struct Cosines {
+    std::array<std::array<double, N>, N> value{};
+    Cosines() {
+        for (std::size_t n = 0; n < N; ++n) {
+            for (std::size_t k = 0; k < N; ++k) {
+                value[n][k] =
+                    std::cos(std::numbers::pi * static_cast<double>(n) * (static_cast<double>(k) + 0.5) / N);
+            }
+        }
+    }
+};
 
 }  // namespace
 
 ThinningResponse::ThinningResponse(double alpha, double time_constant)
     : alpha_(alpha), time_constant_(time_constant) {
     if (alpha == 0.0) return;
-    std::array<std::array<double, levels>, angles> values{};
+    static const Cosines<angles> in_angle;
+    static const Cosines<levels> in_level;
+    std::array<std::array<double, levels>, angles> rows{};  // transformed over the levels
     for (std::size_t i = 0; i < angles; ++i) {
-        const double x = std::cos(std::numbers::pi * (static_cast<double>(i) + 0.5) / angles);
-        const double angle = 0.5 * std::numbers::pi * x;
-        const Powers p = powers(std::cos(angle), std::sin(angle), alpha);
+        const double angle = 0.5 * std::numbers::pi * in_angle.value[1][i];
+        const double cosine = std::cos(angle);
+        const double sine = std::sin(angle);
+        const Powers p = powers(cosine, sine, alpha);
         for (std::size_t j = 0; j < levels; ++j) {
-            const double level =
-                0.5 * (1.0 + std::cos(std::numbers::pi * (static_cast<double>(j) + 0.5) / levels));
-            values[i][j] = response(p, std::cos(angle), std::sin(angle), level);
+            const double value = response(p, cosine, sine, 0.5 * (1.0 + in_level.value[1][j]));
+            for (std::size_t n = 0; n < levels; ++n) rows[i][n] += value * in_level.value[n][j];
         }
     }
     for (std::size_t m = 0; m < angles; ++m) {
         for (std::size_t n = 0; n < levels; ++n) {
             double sum = 0.0;
-            for (std::size_t i = 0; i < angles; ++i) {
-                const double row = std::cos(std::numbers::pi * static_cast<double>(m) *
-                                            (static_cast<double>(i) + 0.5) / angles);
-                for (std::size_t j = 0; j < levels; ++j) {
-                    sum += values[i][j] * row *
-                           std::cos(std::numbers::pi * static_cast<double>(n) *
-                                    (static_cast<double>(j) + 0.5) / levels);
-                }
-            }
+            for (std::size_t i = 0; i < angles; ++i) sum += rows[i][n] * in_angle.value[m][i];
             series_[m][n] = sum * (m == 0 ? 1.0 : 2.0) * (n == 0 ? 1.0 : 2.0) / (angles * levels);
         }
     }

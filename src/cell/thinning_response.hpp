@@ -38,7 +38,7 @@ class ThinningResponse {
     [[nodiscard]] double integral(double elongation, double disturbance) const;
 
   private:
-    static constexpr std::size_t angles = 12;
+    static constexpr std::size_t angles = 16;
     static constexpr std::size_t levels = 6;
     double alpha_;
     double time_constant_;

@@ -55,6 +55,11 @@ struct OdeResult {
     bool finished;
 };
 
+/// The larger of two errors; one that is no number stays.
+inline double worse(double a, double b) {
+    return a >= b || std::isnan(a) ? a : b;
+}
+
 template <std::size_t N, typename F, typename Observe>
 OdeResult<N> dormand_prince(F&& f, double from, double to, OdeState<N> y, const OdeState<N>& scale,
                             const OdeOptions& options, Observe&& observe) {
@@ -88,7 +93,7 @@ OdeResult<N> dormand_prince(F&& f, double from, double to, OdeState<N> y, const 
                                   17253.0 / 339200 * k5[i] + 22.0 / 525 * k6[i] - 1.0 / 40 * k7[i]);
             const double allowed =
                 options.tolerance * std::max(scale[i], std::max(std::abs(y[i]), std::abs(next[i])));
-            error = std::max(error, std::abs(e) / allowed);
+            error = worse(error, std::abs(e) / allowed);
         }
         if (!(error <= 1.0)) {  // also where the step led out of the numbers
             h *= std::isfinite(error) ? std::max(0.2, 0.9 * std::pow(error, -0.2)) : 0.2;

@@ -101,7 +101,7 @@ OdeResult<N> rosenbrock(F&& f, double from, double to, OdeState<N> y, const OdeS
             for (std::size_t i = 0; i < N; ++i) {
                 const double allowed =
                     options.tolerance * std::max(scale[i], std::max(std::abs(y[i]), std::abs(next[i])));
-                error = std::max(error, std::abs(k4[i]) / allowed);
+                error = worse(error, std::abs(k4[i]) / allowed);
             }
             accepted = error <= 1.0;
             if (!accepted) {

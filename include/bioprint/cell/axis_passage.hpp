@@ -66,7 +66,7 @@ struct AxisCellState {
 struct AxisWay {
     double from;
     double to;
-    double tolerance = 1e-6;  ///< of the integrator, relative
+    double tolerance = 1e-5;  ///< of the integrator, relative
     double observe_every =
         0;  ///< distance between calls of the observer [m]; 0: one a step of the integrator
 };

@@ -21,7 +21,7 @@
 ///
 /// Accuracy: 1e-12 relative, for shear also of the deviation from the sphere and of the angle, for σ_f/μ from
 /// 1e-30 to 1e30 and λ from 0 to 100; near the turning points of elongation 1e-8. tests/verify/roscoe.cpp
-/// Cost: about 2 µs, 4 µs for λ > 2 and for elongation.                           tests/bench/cell.cpp
+/// Cost: about 2 µs, 4 µs for λ > 2; elongation 1 µs.                                tests/bench/cell.cpp
 namespace bioprint {
 
 /// Shape and stress of an ellipsoidal cell, in its principal axes.
