@@ -116,6 +116,8 @@ std::string_view model_name(Model model) {
             return "roscoe-shear";
         case Model::roscoe_elongation:
             return "roscoe-elongation";
+        case Model::ellipsoid:
+            return "ellipsoid";
     }
     return "";
 }

@@ -45,7 +45,7 @@ bool starts_as_json(std::string_view head) {
 RunResult run_json_lines(ByteSource& source, const Settings& defaults, const RunOptions& options,
                          const Sink& sink) {
     JsonLinesReader reader(source);
-    const RowWriter writer(options, 2 * cell_entries(defaults));
+    const RowWriter writer(options, 3 * cell_entries(defaults));
     RunResult result;
     sink(writer.head());
     std::vector<JsonLine> lines;
@@ -62,7 +62,7 @@ RunResult run_json_lines(ByteSource& source, const Settings& defaults, const Run
             });
         });
         for (RowText& text : texts) {
-            sink(writer.placed(std::move(text.text), result.rows));
+            sink(writer.placed(text.text, result.rows));
             ++result.rows;
             result.refused += text.refused ? 1 : 0;
         }

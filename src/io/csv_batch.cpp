@@ -132,7 +132,7 @@ class CsvBatch {
                 if (!row.blank) {
                     result.refused += row.refused ? 1 : 0;
                     if (row.open_quote) notice(row.fault);
-                    sink(placed(std::move(row.answer), result.rows));
+                    sink(placed(row.answer, result.rows));
                     ++result.rows;
                 } else if (in_kind()) {
                     sink(row.kept + row.line_end);
@@ -150,7 +150,7 @@ class CsvBatch {
     [[nodiscard]] bool in_kind() const { return options_.paths.empty() && options_.format == Format::csv; }
     [[nodiscard]] bool as_array() const { return options_.paths.empty() && options_.format == Format::json; }
 
-    [[nodiscard]] std::string placed(std::string text, std::size_t index) const {
+    [[nodiscard]] std::string placed(const std::string& text, std::size_t index) const {
         return as_array() && index > 0 ? ",\n" + text : text;
     }
 
@@ -172,7 +172,7 @@ class CsvBatch {
         for (const Row& row : rows_) {
             try {
                 const Settings settings = settings_of_row(row);
-                if (settings.has(Key::offset)) return 2 * settings.at(Key::offset).positions.size();
+                if (settings.has(Key::offset)) return 3 * settings.at(Key::offset).positions.size();
             } catch (const UsageError&) {
                 continue;
             }

@@ -110,7 +110,7 @@ RunResult run_sweep(const Sweep& sweep, const RunOptions& options, const Sink& s
             texts[i] = writer.answer([&] { return sweep.row(begin + i); });
         });
         for (std::size_t i = 0; i < count; ++i) {
-            sink(writer.placed(std::move(texts[i].text), begin + i));
+            sink(writer.placed(texts[i].text, begin + i));
             result.refused += texts[i].refused ? 1 : 0;
         }
         result.rows += count;

@@ -129,6 +129,9 @@ const std::array<KeyInfo, key_count>& key_table() {
         {Key::offset, "offset", "", "offsets", std::nullopt, false,
          "radial positions of cells: lengths or cell radii, 0,1.5Rc,20um"},
         {Key::profile, "profile", "", "", dimensionless, false, "add a radial profile of N points"},
+        {Key::model, "model", "", "", std::nullopt, false,
+         "ellipsoid: follow the centred cell through the exit in time (default); steady: the paper's theory "
+         "alone"},
     }};
     return table;
 }
@@ -261,6 +264,14 @@ Case Settings::make_case() const {
     problems.collect([&] { question.ink = ink_choice(*this); });
     problems.collect([&] { question.cell = cell_choice(*this); });
     if (has(Key::offset)) question.positions = at(Key::offset).positions;
+    if (has(Key::model)) {
+        const std::string& model = at(Key::model).text;
+        question.transient = model == "ellipsoid";
+        if (model != "ellipsoid" && model != "steady") {
+            problems.add(origins_[index(Key::model)] + ": got '" + model + "'; it takes ellipsoid or steady",
+                         origins_[index(Key::model)]);
+        }
+    }
     if (has(Key::profile)) {
         const double points = at(Key::profile).number;
         if (points != std::floor(points) || points < 2.0 || points > 1e6) {

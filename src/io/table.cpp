@@ -147,7 +147,9 @@ std::string_view model_label(Model model) {
         case Model::roscoe_shear:
             return "shear";
         case Model::roscoe_elongation:
-            return "elongation";
+            return "steady";
+        case Model::ellipsoid:
+            return "ellipsoid";
     }
     return "";
 }

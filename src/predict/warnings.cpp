@@ -133,7 +133,7 @@ void check_stress_ratios(const Prediction& prediction, Collector& warn) {
 void check_exit(const Prediction& prediction, const NozzleFlow& flow, Collector& warn) {
     const Case& question = prediction.question;
     for (const CellAnswer& cell : prediction.cells) {
-        if (cell.place != Place::exit) continue;
+        if (cell.model != Model::roscoe_elongation) continue;
         if (!cell.stress) {
             const double limit =
                 elongation_limit_stress(question.cell.shear_modulus, ElongationDirection::compression);
@@ -144,17 +144,18 @@ void check_exit(const Prediction& prediction, const NozzleFlow& flow, Collector&
                          (edge ? ", reached at a flow rate of " + number(edge->flow_rate()) + " m^3/s (" +
                                      number(edge->velocity_average() * 1e3) + " mm/s)"
                                : std::string{}) +
-                         "; the cell passes before it could collapse, which a steady theory cannot follow");
+                         "; the cell passes before it could collapse: see the ellipsoid, which is carried in "
+                         "time");
             continue;
         }
         const double passage = 2.0 * flow.radius() / flow.velocity_average();
         const double response = relaxation_time(viscosity(flow.ink(), prediction.exit.elongation_rate),
                                                 question.cell.shear_modulus, question.cell.viscosity_ratio);
         if (flow.velocity_average() > 0.0 && response > slow_cell_share * passage) {
-            warn.add("exit_transient",
-                     "the cell passes the exit in " + number(passage * 1e3) + " ms and needs " +
-                         number(response * 1e3) +
-                         " ms to follow the load: the steady stress there is an upper estimate");
+            warn.add("exit_transient", "the cell passes the exit in " + number(passage * 1e3) +
+                                           " ms and needs " + number(response * 1e3) +
+                                           " ms to follow the load: the steady stress there is an upper "
+                                           "estimate, the ellipsoid the better value");
         }
     }
 }

@@ -30,7 +30,7 @@ NozzleFlow nozzle(double alpha, double velocity) {
 /// The undisturbed velocity on the axis from the finite-element table, cubic between its points.
 class FiniteElementAxis {
   public:
-    explicit FiniteElementAxis(const std::string& file) : table_(test::read_reference(file)) {}
+    explicit FiniteElementAxis(const std::string& file) : table_(test::read_reference_columns(file)) {}
 
     AxisFlow operator()(double z) const {
         const auto& x = table_.at("x_over_R");
@@ -50,7 +50,7 @@ class FiniteElementAxis {
     }
 
   private:
-    test::ReferenceTable table_;
+    test::ReferenceColumns table_;
 };
 
 struct Simulated {
