@@ -35,8 +35,8 @@ AxisymmetricFlow::AxisymmetricFlow(const AxisymmetricDomain& domain, const Cross
     }
 }
 
-// A population that comes in at the border is, with a sign and a constant, one that left: after an even step both
-// wait beside their nodes, after an odd step they have moved already.
+// A population that comes in at the border is, with a sign and a constant, one that left: after an even step
+// both wait beside their nodes, after an odd step they have moved already.
 void AxisymmetricFlow::link(const Link& link, std::span<const double> add) {
     const auto k = static_cast<std::size_t>(link.direction);
     const auto m = static_cast<std::size_t>(link.from);
@@ -50,10 +50,16 @@ void AxisymmetricFlow::link(const Link& link, std::span<const double> add) {
     const std::ptrdiff_t stride = link.along_row ? 1 : row_;
     after_even_.push_back({.to = f_[back] + index(link.i - D2Q9::x[k], link.j - D2Q9::r[k]),
                            .from = f_[from_back] + index(link.from_i, link.from_j),
-                           .count = link.count, .stride = stride, .sign = link.sign, .add = addition});
+                           .count = link.count,
+                           .stride = stride,
+                           .sign = link.sign,
+                           .add = addition});
     after_odd_.push_back({.to = f_[k] + index(link.i, link.j),
                           .from = f_[m] + index(link.from_i + D2Q9::x[m], link.from_j + D2Q9::r[m]),
-                          .count = link.count, .stride = stride, .sign = link.sign, .add = addition});
+                          .count = link.count,
+                          .stride = stride,
+                          .sign = link.sign,
+                          .add = addition});
 }
 
 void AxisymmetricFlow::link_rows() {
@@ -65,8 +71,15 @@ void AxisymmetricFlow::link_rows() {
         const auto kk = static_cast<std::size_t>(k);
         const int shift = D2Q9::x[kk];
         const auto reflect = [&](int first, int from, int count) {
-            link({.direction = k, .i = first, .j = j, .from = D2Q9::mirror[kk], .from_i = from, .from_j = j,
-                  .count = count, .along_row = true, .sign = 1.0});
+            link({.direction = k,
+                  .i = first,
+                  .j = j,
+                  .from = D2Q9::mirror[kk],
+                  .from_i = from,
+                  .from_j = j,
+                  .count = count,
+                  .along_row = true,
+                  .sign = 1.0});
         };
         const int first = std::max(begin, shift);
         const int last = std::min(end, n + shift);
@@ -82,8 +95,15 @@ void AxisymmetricFlow::link_rows() {
         const int first = domain_.periodic ? begin : std::max(begin, D2Q9::x[kk]);
         const int last = domain_.periodic ? end : std::min(end, n + D2Q9::x[kk]);
         if (first < last) {
-            link({.direction = k, .i = first, .j = j, .from = D2Q9::opposite[kk], .from_i = first, .from_j = j,
-                  .count = last - first, .along_row = true, .sign = 1.0});
+            link({.direction = k,
+                  .i = first,
+                  .j = j,
+                  .from = D2Q9::opposite[kk],
+                  .from_i = first,
+                  .from_j = j,
+                  .count = last - first,
+                  .along_row = true,
+                  .sign = 1.0});
         }
     };
     for (const int k : {3, 5, 8}) {
@@ -109,8 +129,15 @@ void AxisymmetricFlow::link_periodic_ends() {
             const bool right = D2Q9::x[kk] > 0;
             const int first = D2Q9::r[kk] == 1 ? 1 : 0;
             const int last = D2Q9::r[kk] == -1 ? rows - 1 : rows;
-            link({.direction = k, .i = right ? 0 : n - 1, .j = first, .from = k, .from_i = right ? n - 1 : 0,
-                  .from_j = first - D2Q9::r[kk], .count = last - first, .along_row = false, .sign = 1.0});
+            link({.direction = k,
+                  .i = right ? 0 : n - 1,
+                  .j = first,
+                  .from = k,
+                  .from_i = right ? n - 1 : 0,
+                  .from_j = first - D2Q9::r[kk],
+                  .count = last - first,
+                  .along_row = false,
+                  .sign = 1.0});
         }
     }
 }
@@ -125,13 +152,28 @@ void AxisymmetricFlow::link_open_ends(std::span<const double> nodes, std::span<c
             const double u = k == 1 ? nodes[j] : links[k == 5 ? j : j + 1];
             add[j] = 6.0 * D2Q9::weight[kk] * u;
         }
-        link({.direction = k, .i = 0, .j = 0, .from = D2Q9::opposite[kk], .from_i = 0, .from_j = 0,
-              .count = rows, .along_row = false, .sign = 1.0}, add);
+        link({.direction = k,
+              .i = 0,
+              .j = 0,
+              .from = D2Q9::opposite[kk],
+              .from_i = 0,
+              .from_j = 0,
+              .count = rows,
+              .along_row = false,
+              .sign = 1.0},
+             add);
     }
     for (const int k : {2, 6, 8}) {
         const auto kk = static_cast<std::size_t>(k);
-        link({.direction = k, .i = n - 1, .j = 0, .from = D2Q9::opposite[kk], .from_i = n - 1, .from_j = 0,
-              .count = rows, .along_row = false, .sign = -1.0});
+        link({.direction = k,
+              .i = n - 1,
+              .j = 0,
+              .from = D2Q9::opposite[kk],
+              .from_i = n - 1,
+              .from_j = 0,
+              .count = rows,
+              .along_row = false,
+              .sign = -1.0});
     }
 }
 
@@ -152,12 +194,14 @@ void AxisymmetricFlow::collide_row(int j, const KernelTable& table, bool update)
             return;
         }
         const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(j) * n + begin;
-        const RowStretch row{.population = pointers(begin, j), .t = t_.data() + at,
+        const RowStretch row{.population = pointers(begin, j),
+                             .t = t_.data() + at,
                              .force_x = forced ? force_x_.data() + at : nullptr,
                              .force_r = forced ? force_r_.data() + at : nullptr,
                              .velocity_x = forced ? velocity_x_.data() + at : nullptr,
                              .velocity_r = forced ? velocity_r_.data() + at : nullptr,
-                             .count = end - begin, .inverse_radius = 1.0 / (j + 0.5),
+                             .count = end - begin,
+                             .inverse_radius = 1.0 / (j + 0.5),
                              .body_force = domain_.body_force};
         if (forced) {
             (update ? table.forced_update : table.forced)(row, ink_);

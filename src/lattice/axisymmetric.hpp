@@ -9,21 +9,23 @@
 
 /// Creeping flow with axial symmetry by lattice Boltzmann on the plane (x, r); lattice units only.
 ///
-/// Node (i, j) sits at x = i + 1/2, r = j + 1/2; the wall is half-way beyond the last row, at r = `radius`. Columns
-/// below `lip` end at a no-slip wall, those from `lip` on at a free surface that is a straight line (free slip).
-///   open      column 0 is fed with a given profile (half-way velocity bounce-back), the last column lets out at
+/// Node (i, j) sits at x = i + 1/2, r = j + 1/2; the wall is half-way beyond the last row, at r = `radius`.
+/// Columns below `lip` end at a no-slip wall, those from `lip` on at a free surface that is a straight line
+/// (free slip).
+///   open      column 0 is fed with a given profile (half-way velocity bounce-back), the last column lets out
+///   at
 ///             pressure zero (half-way anti-bounce-back)
 ///   periodic  the two ends are one; a body force drives
 /// At the lip the two diagonal links that cross it bounce back.
 ///
 /// Degenerate: alpha = 0 is a uniform viscosity, the mean of t0 and t_inf.
-/// Accuracy: second order; the tube is exact for a uniform viscosity.        tests/verify/axisymmetric_tube.cpp
+/// Accuracy: second order; the tube is exact for a uniform viscosity. tests/verify/axisymmetric_tube.cpp
 namespace bioprint::lattice {
 
 struct AxisymmetricDomain {
-    int length;             ///< columns; a multiple of 16 is fastest
-    int radius;             ///< rows
-    int lip;                ///< first column of the free surface; = length for a tube
+    int length;  ///< columns; a multiple of 16 is fastest
+    int radius;  ///< rows
+    int lip;     ///< first column of the free surface; = length for a tube
     bool periodic = false;
     double body_force = 0.0;
     int viscosity_interval = 4;  ///< steps between updates of the viscosity
@@ -67,8 +69,8 @@ class AxisymmetricFlow {
     void start(std::span<const double> velocity, std::span<const double> shear, double pressure_slope);
 
     void step();
-    /// Steps until the velocity's estimated distance from the steady state falls below `tolerance` of its maximum.
-    /// The distance is that of a geometric sequence through the last three checks.
+    /// Steps until the velocity's estimated distance from the steady state falls below `tolerance` of its
+    /// maximum. The distance is that of a geometric sequence through the last three checks.
     /// @return whether it did within `limit` steps
     bool run_to_steady(double tolerance, long limit);
 
@@ -77,7 +79,8 @@ class AxisymmetricFlow {
 
     void set_body_force(double force) { domain_.body_force = force; }
     void set_window(const ForceWindow& window) { window_ = window; }
-    /// Force density and velocity on all nodes, row after row with `stride()`; the velocity is only that of the window.
+    /// Force density and velocity on all nodes, row after row with `stride()`; the velocity is only that of
+    /// the window.
     [[nodiscard]] double* force_x() { return force_x_.data(); }
     [[nodiscard]] double* force_r() { return force_r_.data(); }
     [[nodiscard]] const double* velocity_x() const { return velocity_x_.data(); }

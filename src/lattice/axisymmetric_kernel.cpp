@@ -136,11 +136,10 @@ struct Tables {
 
 const Tables& tables() {
 #if defined(__x86_64__)
-    static const Tables avx512{
-        {collide_avx512<Plain>, collide_avx512<Forced>, collide_avx512<PlainUpdate>, collide_avx512<ForcedUpdate>,
-         "avx512"},
-        {collide_avx512<UniformPlain>, collide_avx512<UniformForced>, collide_avx512<UniformPlain>,
-         collide_avx512<UniformForced>, "avx512"}};
+    static const Tables avx512{{collide_avx512<Plain>, collide_avx512<Forced>, collide_avx512<PlainUpdate>,
+                                collide_avx512<ForcedUpdate>, "avx512"},
+                               {collide_avx512<UniformPlain>, collide_avx512<UniformForced>,
+                                collide_avx512<UniformPlain>, collide_avx512<UniformForced>, "avx512"}};
     static const Tables avx2{{collide_avx2<Plain>, collide_avx2<Forced>, collide_avx2<PlainUpdate>,
                               collide_avx2<ForcedUpdate>, "avx2"},
                              {collide_avx2<UniformPlain>, collide_avx2<UniformForced>,
@@ -155,8 +154,8 @@ const Tables& tables() {
 #endif
     static const Tables any{{collide_any<Plain>, collide_any<Forced>, collide_any<PlainUpdate>,
                              collide_any<ForcedUpdate>, "portable"},
-                            {collide_any<UniformPlain>, collide_any<UniformForced>,
-                             collide_any<UniformPlain>, collide_any<UniformForced>, "portable"}};
+                            {collide_any<UniformPlain>, collide_any<UniformForced>, collide_any<UniformPlain>,
+                             collide_any<UniformForced>, "portable"}};
     return any;
 }
 

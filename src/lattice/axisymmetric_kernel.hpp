@@ -6,8 +6,9 @@
 
 /// One collision along a stretch of a lattice row, in place.
 ///
-/// Populations are deviations from rest. The population of direction k is read at population[k] and what leaves along
-/// k is written where its opposite was read: with the right pointers this one kernel is both steps of the AA pattern.
+/// Populations are deviations from rest. The population of direction k is read at population[k] and what
+/// leaves along k is written where its opposite was read: with the right pointers this one kernel is both
+/// steps of the AA pattern.
 ///
 ///   equilibrium    w (ρ' + 3 c·u), linear: a steady state is creeping flow at any lattice Reynolds number
 ///   relaxation     even part 1/(t + 1/2), odd part 1/(1/2 + Λ/t), t = 3 ν, Λ = 3/16
@@ -25,12 +26,13 @@ struct CrossRelaxation {
     [[nodiscard]] double uniform_t() const { return 0.5 * (t0 + t_inf); }
 };
 
-/// Λ, the product of the two relaxation times less one half each: half-way walls are exact for Poiseuille flow at 3/16.
+/// Λ, the product of the two relaxation times less one half each: half-way walls are exact for Poiseuille
+/// flow at 3/16.
 inline constexpr double magic_parameter = 3.0 / 16.0;
 
 struct RowStretch {
     std::array<double*, D2Q9::size> population;
-    double* t;             ///< relaxation of each node; untouched by an ink of uniform viscosity
+    double* t;              ///< relaxation of each node; untouched by an ink of uniform viscosity
     const double* force_x;  ///< force density along x of each node; null where there is none
     const double* force_r;
     double* velocity_x;  ///< where the velocity is stored; null together with the force
@@ -42,9 +44,9 @@ struct RowStretch {
 
 struct KernelTable {
     using Row = void (*)(const RowStretch&, const CrossRelaxation&);
-    Row plain;           ///< viscosity as stored (or uniform)
-    Row forced;          ///< the same with a force field in and the velocity out
-    Row plain_update;    ///< and stores the viscosity of the rate it has seen
+    Row plain;         ///< viscosity as stored (or uniform)
+    Row forced;        ///< the same with a force field in and the velocity out
+    Row plain_update;  ///< and stores the viscosity of the rate it has seen
     Row forced_update;
     const char* name;
 };

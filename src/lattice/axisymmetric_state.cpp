@@ -10,7 +10,9 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-double dot(std::size_t k, double x, double r) { return D2Q9::x[k] * x + D2Q9::r[k] * r; }
+double dot(std::size_t k, double x, double r) {
+    return D2Q9::x[k] * x + D2Q9::r[k] * r;
+}
 
 }  // namespace
 
@@ -27,7 +29,8 @@ void AxisymmetricFlow::start(std::span<const double> velocity, std::span<const d
             const bool tube = i < domain_.lip;
             const double u = tube ? velocity[static_cast<std::size_t>(j)] : flux;
             const double d_xr = tube ? 0.5 * shear[static_cast<std::size_t>(j)] : 0.0;
-            const double rho = domain_.periodic || !tube ? 0.0 : 3.0 * pressure_slope * (domain_.lip - i - 0.5);
+            const double rho =
+                domain_.periodic || !tube ? 0.0 : 3.0 * pressure_slope * (domain_.lip - i - 0.5);
             double& t = t_[static_cast<std::size_t>(j) * static_cast<std::size_t>(domain_.length) +
                            static_cast<std::size_t>(i)];
             if (!ink_.uniform()) {
@@ -51,8 +54,8 @@ AxisymmetricFlow::Node AxisymmetricFlow::node(int i, int j) const {
     for (std::size_t k = 0; k < D2Q9::size; ++k) {
         n.f[k] = *p[k];
     }
-    const auto at = static_cast<std::size_t>(j) * static_cast<std::size_t>(domain_.length) +
-                    static_cast<std::size_t>(i);
+    const auto at =
+        static_cast<std::size_t>(j) * static_cast<std::size_t>(domain_.length) + static_cast<std::size_t>(i);
     n.t = t_[at];
     const double s = 1.0 / (j + 0.5);
     const double diagonal = n.f[5] + n.f[6] + n.f[7] + n.f[8];
@@ -110,14 +113,17 @@ double AxisymmetricFlow::flow_rate(int i) const {
 }
 
 // In a steady state of two relaxation times with fixed Λ, velocities and gradients scale alone when
-// rate × (non-equilibrium + half the source) scales like velocity in its even part and like stress in its odd part.
+// rate × (non-equilibrium + half the source) scales like velocity in its even part and like stress in its odd
+// part.
 void AxisymmetricFlow::rescale(double velocity, double viscosity) {
     const double stress = velocity * viscosity;
     for (int j = 0; j < domain_.radius; ++j) {
         for (int i = 0; i < domain_.length; ++i) {
             const Node n = node(i, j);
             const double rho = n.m0 + 0.5 * n.source;
-            const auto rates = [](double t) { return std::array{1.0 / (t + 0.5), t / (0.5 * t + magic_parameter)}; };
+            const auto rates = [](double t) {
+                return std::array{1.0 / (t + 0.5), t / (0.5 * t + magic_parameter)};
+            };
             const auto [lp, lm] = rates(n.t);
             const auto [lp_new, lm_new] = rates(n.t * viscosity);
             const auto p = pointers(i, j);
@@ -125,8 +131,8 @@ void AxisymmetricFlow::rescale(double velocity, double viscosity) {
                 const double w = D2Q9::weight[k];
                 const auto back = static_cast<std::size_t>(D2Q9::opposite[k]);
                 const double even = 0.5 * (n.f[k] + n.f[back]) - w * rho + 0.5 * w * n.source;
-                const double odd = 0.5 * (n.f[k] - n.f[back]) - 3.0 * w * dot(k, n.ux, n.ur) +
-                                   1.5 * w * dot(k, n.fx, n.fr);
+                const double odd =
+                    0.5 * (n.f[k] - n.f[back]) - 3.0 * w * dot(k, n.ux, n.ur) + 1.5 * w * dot(k, n.fx, n.fr);
                 *p[k] = w * stress * rho + velocity * (even * lp / lp_new - 0.5 * w * n.source) +
                         3.0 * w * velocity * dot(k, n.ux, n.ur) +
                         stress * (odd * lm / lm_new - 1.5 * w * dot(k, n.fx, n.fr));

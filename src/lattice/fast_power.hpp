@@ -3,7 +3,8 @@
 #include <bit>
 #include <cstdint>
 
-/// x^a for loops that must vectorise: polynomials and integer arithmetic on the exponent field, no call, no branch.
+/// x^a for loops that must vectorise: polynomials and integer arithmetic on the exponent field, no call, no
+/// branch.
 ///
 /// log2 by its area-tangent series on [1/√2, √2), 2^x by its Taylor polynomial on [-1/2, 1/2].
 /// Accuracy: 3e-13 relative for results between 1e-290 and 1e290 (tests/unit/lattice/fast_power.cpp).
@@ -14,7 +15,8 @@ namespace bioprint::lattice {
     const auto bits = std::bit_cast<std::uint64_t>(x);
     // Moving the binade's border from 1 to √½ keeps the mantissa near 1, where the series is short.
     const std::uint64_t shifted = bits - 0x3fe6a09e667f3bcdULL;
-    // The exponent is read through the low mantissa bits of 2^52 + 2^51: AVX2 has no 64-bit integer conversion.
+    // The exponent is read through the low mantissa bits of 2^52 + 2^51: AVX2 has no 64-bit integer
+    // conversion.
     const double exponent =
         std::bit_cast<double>(((shifted >> 52U) ^ 0x800ULL) | 0x4338000000000000ULL) - 6755399441057792.0;
     const std::uint64_t mantissa_bits = (shifted & 0x000fffffffffffffULL) + 0x3fe6a09e667f3bcdULL;
