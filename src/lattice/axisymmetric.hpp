@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -71,8 +72,9 @@ class AxisymmetricFlow {
     void step();
     /// Steps until the velocity's estimated distance from the steady state falls below `tolerance` of its
     /// maximum. The distance is that of a geometric sequence through the last three checks.
+    /// @param go_on  asked now and then with the estimated distance; false ends the run
     /// @return whether it did within `limit` steps
-    bool run_to_steady(double tolerance, long limit);
+    bool run_to_steady(double tolerance, long limit, const std::function<bool(double)>& go_on = {});
 
     /// Turns a steady state into that of velocities × `velocity` and viscosities × `viscosity`, exactly.
     void rescale(double velocity, double viscosity);

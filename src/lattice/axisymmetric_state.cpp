@@ -153,7 +153,7 @@ void AxisymmetricFlow::rescale(double velocity, double viscosity) {
     ink_.time_constant /= velocity;
 }
 
-bool AxisymmetricFlow::run_to_steady(double tolerance, long limit) {
+bool AxisymmetricFlow::run_to_steady(double tolerance, long limit, const std::function<bool(double)>& go_on) {
     const int interval = std::max(32, 2 * domain_.radius);
     std::vector<double> before;
     double last_change = 0.0;
@@ -174,8 +174,12 @@ bool AxisymmetricFlow::run_to_steady(double tolerance, long limit) {
             }
             const double ratio = last_change > 0.0 ? std::min(change / last_change, 0.99) : 0.99;
             last_change = change;
-            if (change / (1.0 - ratio) <= tolerance * largest && odd_ == false) {
+            const double distance = change / (1.0 - ratio);
+            if (distance <= tolerance * largest && !odd_) {
                 return true;
+            }
+            if (go_on && !go_on(distance / largest)) {
+                return false;
             }
         }
         before = std::move(now);

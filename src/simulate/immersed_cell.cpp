@@ -31,7 +31,8 @@ ImmersedCell::Stencil ImmersedCell::stencil(const solid::RingPoint& p,
     const std::array<double, 2> wx{1.0 - (p.x - 0.5 - column), p.x - 0.5 - column};
     const std::array<double, 2> wr{1.0 - (p.r - 0.5 - row), p.r - 0.5 - row};
     const int n = domain.length;
-    const std::array<int, 2> i{wrapped(static_cast<int>(column), n), wrapped(static_cast<int>(column) + 1, n)};
+    const std::array<int, 2> i{wrapped(static_cast<int>(column), n),
+                               wrapped(static_cast<int>(column) + 1, n)};
     std::size_t m = 0;
     for (std::size_t b = 0; b < 2; ++b) {
         const int j = static_cast<int>(row) + static_cast<int>(b);
@@ -57,7 +58,8 @@ ImmersedCell::ImmersedCell(const ImmersedCellSetup& setup, double centre)
       vertex_velocity_(position_.size()),
       force_(position_.size()) {
     const double stiffer = std::pow(setup.radius / body_.mesh().radius, 3.0);
-    stiffened_ = {.shear_modulus = setup.shear_modulus * stiffer, .bulk_modulus = setup.bulk_modulus * stiffer};
+    stiffened_ = {.shear_modulus = setup.shear_modulus * stiffer,
+                  .bulk_modulus = setup.bulk_modulus * stiffer};
     const std::size_t points = setup.coupling == Coupling::inside ? inside_.size() : position_.size();
     point_.resize(points);
     point_velocity_.resize(points);

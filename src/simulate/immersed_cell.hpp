@@ -11,13 +11,14 @@
 
 /// A centred elastic cell in the axisymmetric lattice, two-way coupled; lattice units.
 ///
-/// Forces are spread with the two-point kernel over the ring areas 2πr of the nodes, velocities interpolated with the
-/// same weights: the two are adjoint, so the coupling neither makes nor loses work.
+/// Forces are spread with the two-point kernel over the ring areas 2πr of the nodes, velocities interpolated
+/// with the same weights: the two are adjoint, so the coupling neither makes nor loses work.
 ///
-/// `inside` couples through points within the elements (solid/ring_points.hpp). Three points an element and elements
-/// 1.5 lattice spacings wide leave no excess of the body's hydrodynamic radius that can be seen; coupling at the
-/// vertices, the usual way, makes a body act as one larger by 0.3 to 0.4 spacings at any resolution, and is kept to
-/// show that. There `retraction` makes the mesh smaller and its material stiffer in proportion to volume.
+/// `inside` couples through points within the elements (solid/ring_points.hpp). Three points an element and
+/// elements 1.5 lattice spacings wide leave no excess of the body's hydrodynamic radius that can be seen;
+/// coupling at the vertices, the usual way, makes a body act as one larger by 0.3 to 0.4 spacings at any
+/// resolution, and is kept to show that. There `retraction` makes the mesh smaller and its material stiffer
+/// in proportion to volume.
 namespace bioprint {
 
 enum class Coupling { inside, vertices };
@@ -56,7 +57,8 @@ class ImmersedCell {
         std::array<double, 4> radial_weight;
         std::array<double, 4> inverse_radius;
     };
-    [[nodiscard]] static Stencil stencil(const solid::RingPoint& p, const lattice::AxisymmetricDomain& domain);
+    [[nodiscard]] static Stencil stencil(const solid::RingPoint& p,
+                                         const lattice::AxisymmetricDomain& domain);
     [[nodiscard]] lattice::ForceWindow window() const;
     void clear(lattice::AxisymmetricFlow& flow) const;
 

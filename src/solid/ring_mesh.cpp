@@ -8,7 +8,9 @@ namespace bioprint::solid {
 
 namespace {
 
-double sphere_volume(double radius) { return 4.0 / 3.0 * std::numbers::pi * radius * radius * radius; }
+double sphere_volume(double radius) {
+    return 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
+}
 
 double volume(const RingMesh& mesh) {
     double sum = 0.0;

@@ -8,7 +8,8 @@
 namespace bioprint::solid {
 namespace {
 
-/// y = A x for a symmetric A held row by row; walks rows so that the inner loop is free of sums and vectorises.
+/// y = A x for a symmetric A held row by row; walks rows so that the inner loop is free of sums and
+/// vectorises.
 void multiply(const std::vector<double>& a, const std::vector<double>& x, std::vector<double>& y) {
     const std::size_t n = x.size();
     std::fill(y.begin(), y.end(), 0.0);
@@ -41,8 +42,7 @@ RingPoints::RingPoints(const RingMesh& mesh)
         for (std::size_t n = 0; n < 3; ++n) {
             Point point{.v = t, .basis = {far, far, far}, .weight = 0.0};
             point.basis[n] = near;
-            const double r =
-                point.basis[0] * p[0].r + point.basis[1] * p[1].r + point.basis[2] * p[2].r;
+            const double r = point.basis[0] * p[0].r + point.basis[1] * p[1].r + point.basis[2] * p[2].r;
             point.weight = 2.0 * std::numbers::pi * r * area / 3.0;
             points_.push_back(point);
         }
@@ -55,7 +55,8 @@ RingPoints::RingPoints(const RingMesh& mesh)
     invert_mass(inverse_r_, held);
 }
 
-// Gauss-Jordan without pivoting: the matrix is symmetric and positive. Held vertices get a zero row and column.
+// Gauss-Jordan without pivoting: the matrix is symmetric and positive. Held vertices get a zero row and
+// column.
 void RingPoints::invert_mass(std::vector<double>& inverse, const std::vector<bool>& held) const {
     const std::size_t n = vertices_;
     std::vector<double> mass(n * n, 0.0);

@@ -8,13 +8,15 @@
 
 /// Points inside a body's elements through which it meets what surrounds it.
 ///
-/// Three points an element carry the nodal forces as the density f(X) = Σ F_a φ_a(X) whose moments are those forces,
-/// and hand velocities back as the linear finite-element field nearest to them in the mean over the volume:
+/// Three points an element carry the nodal forces as the density f(X) = Σ F_a φ_a(X) whose moments are those
+/// forces, and hand velocities back as the linear finite-element field nearest to them in the mean over the
+/// volume:
 ///
 ///   M F = nodal forces,  M U = Σ_q w_q φ(X_q) u_q,  M_ab = Σ_q w_q φ_a φ_b
 ///
-/// The two are adjoint, Σ_q w_q f_q·u_q = Σ_a force_a·U_a, and exact for fields linear in space. No point lies on the
-/// surface, which keeps what is spread about the points inside the body. On the axis the radial part is zero.
+/// The two are adjoint, Σ_q w_q f_q·u_q = Σ_a force_a·U_a, and exact for fields linear in space. No point
+/// lies on the surface, which keeps what is spread about the points inside the body. On the axis the radial
+/// part is zero.
 ///
 /// After Griffith, Luo, Int. J. Numer. Meth. Biomed. Engng 33 (2017) e2888, for rings.
 namespace bioprint::solid {
