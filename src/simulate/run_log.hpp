@@ -32,7 +32,7 @@ class RunLog {
         }
     }
     void value(const char* name, double value) {
-        result.values.push_back({.name = name, .value = value, .error = 0.0});
+        result.values.push_back({.name = name, .value = value, .error = 0.0, .resolved = value});
     }
     void warn(const char* code, const std::string& message) {
         result.warnings.push_back({.code = code, .message = message});

@@ -65,9 +65,10 @@ struct SimulationOptions {
 };
 
 struct SimulatedValue {
-    std::string name;  ///< as in the command's answer: "von_mises_peak", "stretch.0" …
-    double value;      ///< SI
-    double error;      ///< estimated numerical error, SI; 0 when it was not estimated
+    std::string name;     ///< as in the command's answer: "von_mises_peak", "stretch.0" …
+    double value;         ///< SI; extrapolated from two resolutions where the order is known
+    double error;         ///< estimated numerical error, SI; 0 when it was not estimated
+    double resolved = 0;  ///< what the finer run alone gave
 };
 
 struct SimulationSeries {
