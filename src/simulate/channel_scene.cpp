@@ -100,7 +100,7 @@ ImmersedCellSetup cell_setup(const Run& run, const LatticeUnits& units) {
 }
 
 ChannelState run_channel(const Run& run) {
-    const LatticeUnits units = units_for_cell(run.scene, run.flow, run.nodes, run.log.options().accuracy);
+    const LatticeUnits units = units_for_cell(run.scene, run.flow, run.nodes, run.log.options());
     const LatticeProfile profile = lattice_profile(run.flow, units);
     const int length = (static_cast<int>(length_in_radii * run.nodes) + 15) / 16 * 16;
     lattice::AxisymmetricFlow flow({.length = length,

@@ -25,7 +25,7 @@ void run_exit_flow(const Run& run) {
     run.log.value("radial_velocity_max", largest_radial_velocity(field));
     run.log.value("elongational_stress_peak", axis.peak);
     run.log.value("elongational_stress_average", axis.average);
-    run.log.value("excess_pressure", axis.pressure[first] + run.flow.pressure_gradient() * axis.x[first]);
+    run.log.value("excess_pressure", axis.pressure[first] + gradient * axis.x[first]);
     run.log.value("peak_position", axis.peak_position);
     auto& series = run.log.result.series;
     series.columns = {"x [m]", "velocity [m/s]", "elongation_rate [1/s]", "elongational_stress [Pa]",

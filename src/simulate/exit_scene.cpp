@@ -139,7 +139,7 @@ void leave_values(const Run& run, const std::vector<Sample>& samples, double sta
 void run_exit(const Run& run) {
     const ChannelState channel = run_channel(run);
     const double start = run.log.result.values.front().value;
-    const LatticeUnits units = units_for_cell(run.scene, run.flow, run.nodes, run.log.options().accuracy);
+    const LatticeUnits units = units_for_cell(run.scene, run.flow, run.nodes, run.log.options());
     ExitField field =
         settle_exit_flow(run.flow, run.nodes, exit_reach(run.flow.ink()), flow_tolerance, run.log);
     field.flow.rescale(units.velocity_lu / field.units.velocity_lu,

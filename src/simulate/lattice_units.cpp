@@ -11,7 +11,7 @@ namespace {
 constexpr double sound_squared = 1.0 / 3.0;
 constexpr double largest_wall_reynolds = 5.0;
 constexpr double largest_reynolds = 1.0;
-constexpr double largest_shear_modulus = 0.2 * sound_squared;
+constexpr double largest_modulus = 0.2 * sound_squared;
 constexpr double largest_velocity = 0.05;
 constexpr double smallest_viscosity = 1e-3;
 constexpr int smallest_radius = 12;
@@ -103,7 +103,9 @@ int nodes_for(const Scene& scene, int layers, double mesh_spacing) {
     return std::max(smallest_radius, static_cast<int>(std::lround(nodes)));
 }
 
-LatticeUnits units_for_cell(const Scene& scene, const NozzleFlow& flow, int nodes, double accuracy) {
+LatticeUnits units_for_cell(const Scene& scene, const NozzleFlow& flow, int nodes,
+                            const SimulationOptions& options) {
+    const double stiffness = std::max(1.0, options.bulk_modulus_ratio);
     const double wall = viscosity(flow.ink(), flow.shear_rate_max()) / flow.ink().eta0;
     const double reynolds = std::min(largest_reynolds, largest_wall_reynolds * wall);
     // Stresses in lattice units are this times Re ν0²/N².
@@ -114,9 +116,9 @@ LatticeUnits units_for_cell(const Scene& scene, const NozzleFlow& flow, int node
         const char* name;
     };
     const std::array<Limit, 3> limits{{
-        {std::sqrt(accuracy * sound_squared * unit / largest_stress(scene, flow) * n2 / reynolds),
+        {std::sqrt(options.accuracy * sound_squared * unit / largest_stress(scene, flow) * n2 / reynolds),
          "compression"},
-        {std::sqrt(largest_shear_modulus * unit / scene.cell.shear_modulus * n2 / reynolds), "elastic waves"},
+        {std::sqrt(largest_modulus * unit / (stiffness * scene.cell.shear_modulus) * n2 / reynolds), "elastic waves"},
         {largest_velocity * nodes / reynolds, "velocity"},
     }};
     const Limit& tightest =

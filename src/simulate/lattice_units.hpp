@@ -12,7 +12,7 @@
 /// A creeping flow leaves the time step free; four limits close it, and the tightest is named:
 ///   unsteadiness   Re_wall = u R/ν_wall of the lattice ≤ 5: the flow follows the cell within 1 %
 ///   compression    largest stress/(ρ c_s²) ≤ `accuracy`: what the lattice fluid yields to a pressure
-///   elastic waves  μ/(ρ c_s²) ≤ 0.2 in lattice units: stability of the coupling
+///   elastic waves  the larger of μ and κ/(ρ c_s²) ≤ 0.2 in lattice units: stability of the coupling
 ///   velocity       u ≤ 0.05
 /// With S the largest stress and Re = u R/ν0: u = Re ν0/N, stress in lattice units = S R/(η0 U) · Re ν0²/N².
 namespace bioprint {
@@ -47,7 +47,8 @@ int layers_for(double resolution, double mesh_spacing);
 
 /// Units for a run with a cell.
 /// @throws UsageError  naming the nearest setting that fits
-LatticeUnits units_for_cell(const Scene& scene, const NozzleFlow& flow, int nodes, double accuracy);
+LatticeUnits units_for_cell(const Scene& scene, const NozzleFlow& flow, int nodes,
+                            const SimulationOptions& options);
 
 /// Units for a steady flow: viscosity chosen so that it settles soonest.
 LatticeUnits units_for_flow(const NozzleFlow& flow, int nodes);

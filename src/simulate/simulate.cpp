@@ -13,6 +13,7 @@
 namespace bioprint {
 namespace {
 
+constexpr int smallest_nodes = 12;  ///< a nozzle radius
 /// What two resolutions cannot see: the coupling's own error against the exact stiff limit at 6 and 12 nodes.
 constexpr double coupling_error = 5e-3;
 /// Of the shift of the lip.
@@ -173,11 +174,13 @@ SimulationResult simulate(const Scene& scene, const SimulationOptions& options) 
     const int layers = layers_for(options.resolution, options.mesh_spacing);
     const int nodes = nodes_for(scene, layers, options.mesh_spacing);
     const int coarse_layers = layers / 2;
-    const int coarse_nodes = nodes_for(scene, coarse_layers, options.mesh_spacing);
+    const bool with_cell = scene.kind != SceneKind::exit_flow;
+    const int coarse_nodes = with_cell ? nodes_for(scene, coarse_layers, options.mesh_spacing)
+                                       : std::max(smallest_nodes, nodes / 2);
     RunLog fine(options, true);
     RunLog coarse(options, false);
     // A cell takes two layers of elements at least.
-    const bool compare = options.estimate_error && coarse_layers >= 2 && coarse_nodes < nodes;
+    const bool compare = options.estimate_error && (!with_cell || coarse_layers >= 2) && coarse_nodes < nodes;
     run_both(
         options.threads,
         [&] { run_scene({.scene = scene, .flow = flow, .layers = layers, .nodes = nodes, .log = fine}); },
@@ -195,7 +198,7 @@ SimulationResult simulate(const Scene& scene, const SimulationOptions& options) 
     if (compare) {
         const double ratio = static_cast<double>(nodes) / coarse_nodes;
         extrapolate(result, coarse.result, ratio);
-        if (scene.kind == SceneKind::exit_flow) {
+        if (!with_cell) {
             correct_lip(result, coarse.result, ratio, flow.pressure_gradient());
         }
         result.steps += coarse.result.steps;

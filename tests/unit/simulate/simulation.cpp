@@ -30,7 +30,7 @@ TEST_CASE("lattice units: every limit holds and the binding one is named") {
         for (const double modulus : {50.0, 1e3, 1e4, 1e6}) {
             Scene s = scene(alpha);
             s.cell.shear_modulus = modulus;
-            const LatticeUnits u = units_for_cell(s, flow_of(s), 38, 8e-3);
+            const LatticeUnits u = units_for_cell(s, flow_of(s), 38, {});
             CHECK(u.wall_reynolds <= 5.0 * (1.0 + 1e-12));
             CHECK(u.velocity_lu <= 0.05 * (1.0 + 1e-12));
             CHECK(modulus / u.stress <= 0.2 / 3.0 * (1.0 + 1e-12));
@@ -39,13 +39,13 @@ TEST_CASE("lattice units: every limit holds and the binding one is named") {
     }
     Scene s = scene(0.0);
     s.cell.shear_modulus = 1e6;
-    CHECK(units_for_cell(s, flow_of(s), 38, 8e-3).binding == "elastic waves");
+    CHECK(units_for_cell(s, flow_of(s), 38, {}).binding == "elastic waves");
 }
 
 TEST_CASE("lattice units: they keep the flow's dimensionless numbers") {
     const Scene s = scene(0.6);
     const NozzleFlow flow = flow_of(s);
-    const LatticeUnits u = units_for_cell(s, flow, 38, 8e-3);
+    const LatticeUnits u = units_for_cell(s, flow, 38, {});
     const auto ink = u.relaxation(s.ink);
     CHECK(ink.time_constant * u.velocity_lu / 38 ==
           doctest::Approx(s.ink.time_constant * s.velocity_average / s.nozzle_radius));
