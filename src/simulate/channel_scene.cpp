@@ -11,6 +11,8 @@ constexpr double length_in_radii = 4.0;
 constexpr double sample_in_transits = 0.25;  ///< of R/u
 constexpr double longest_in_transits = 60.0;
 constexpr int control_interval = 64;
+constexpr double smallest_element = 0.85;  ///< of its undeformed volume
+constexpr double largest_element = 1.15;
 constexpr double largest_start_strain = 0.3;
 
 /// The small-strain shape of a centred cell: displacements from the quadratic part of the ambient flow, κ =
@@ -120,7 +122,9 @@ ChannelState run_channel(const Run& run) {
     FlowRateControl control(flow, units.velocity_lu * area, units.viscosity_lu);
     const double transit = run.nodes / units.velocity_lu;  // steps
     const auto interval = std::max(2L, std::lround(sample_in_transits * transit));
-    const auto limit = std::lround(longest_in_transits * transit);
+    const double channel_time = run.log.options().channel_time;
+    const auto limit = channel_time > 0.0 ? std::max(interval, std::lround(channel_time / units.time_step))
+                                          : std::lround(longest_in_transits * transit);
     SettlingMonitor monitor;
     auto& series = run.log.result.series;
     series.columns = {"time [s]", "x [m]", "von_mises [Pa]", "stretch_axial", "stretch_radial", "volume"};
@@ -157,10 +161,15 @@ ChannelState run_channel(const Run& run) {
         run.log.stop_if_cancelled();
     }
     run.log.count(n, static_cast<double>(length) * run.nodes);
-    if (!steady) {
+    if (!steady && channel_time > 0.0) {
+        run.log.warn("channel-not-steady", "the cell's shape is not yet steady after its time in the nozzle");
+    } else if (!steady) {
         run.log.warn("channel-not-steady", "the cell's shape in the nozzle has no steady state within " +
                                                std::to_string(static_cast<int>(longest_in_transits)) +
                                                " radii of travel; the values are those reached there");
+    }
+    if (shape.jacobian_min < smallest_element || shape.jacobian_max > largest_element) {
+        run.log.warn("distorted-elements", "elements of the cell changed their volume by more than 15 %");
     }
     if (std::abs(shape.volume / rest.volume - 1.0) > 0.02) {
         run.log.warn("volume-drift", "the cell's volume changed by more than 2 %");

@@ -118,7 +118,8 @@ LatticeUnits units_for_cell(const Scene& scene, const NozzleFlow& flow, int node
     const std::array<Limit, 3> limits{{
         {std::sqrt(options.accuracy * sound_squared * unit / largest_stress(scene, flow) * n2 / reynolds),
          "compression"},
-        {std::sqrt(largest_modulus * unit / (stiffness * scene.cell.shear_modulus) * n2 / reynolds), "elastic waves"},
+        {std::sqrt(largest_modulus * unit / (stiffness * scene.cell.shear_modulus) * n2 / reynolds),
+         "elastic waves"},
         {largest_velocity * nodes / reynolds, "velocity"},
     }};
     const Limit& tightest =

@@ -26,7 +26,7 @@ class VolumeRelaxation {
 
   private:
     RingMesh mesh_;
-    std::vector<double> volume_;
+    std::vector<double> volume_, own_;
     std::vector<double> strain_;
     std::vector<RingPoint> shift_;
 };

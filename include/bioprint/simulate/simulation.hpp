@@ -57,6 +57,7 @@ struct SimulationOptions {
     double accuracy =
         8e-3;  ///< largest share of the lattice fluid's compression in the stress; sets the time step
     double settle_tolerance = 3e-3;  ///< of the cell's stress in the channel
+    double channel_time = 0.0;       ///< the cell's time in the nozzle [s]; 0: until its shape is steady
     CellCoupling coupling = CellCoupling::inside_elements;
     double bulk_modulus_ratio = 0.0;  ///< κ/μ of the cell; 0 leaves its volume to the fluid
     double mesh_spacing = 1.52;       ///< lattice spacings an element
