@@ -14,7 +14,9 @@ namespace {
 
 constexpr std::size_t max_intervals = 2000;
 
-double call(double x, void* f) { return (*static_cast<const std::function<double(double)>*>(f))(x); }
+double call(double x, void* f) {
+    return (*static_cast<const std::function<double(double)>*>(f))(x);
+}
 
 struct FreeWorkspace {
     void operator()(gsl_integration_workspace* w) const { gsl_integration_workspace_free(w); }

@@ -14,7 +14,9 @@ namespace {
 
 constexpr int max_iterations = 200;
 
-double call(double x, void* f) { return (*static_cast<const std::function<double(double)>*>(f))(x); }
+double call(double x, void* f) {
+    return (*static_cast<const std::function<double(double)>*>(f))(x);
+}
 
 struct FreeSolver {
     void operator()(gsl_root_fsolver* s) const { gsl_root_fsolver_free(s); }
@@ -28,7 +30,8 @@ double find_root(const std::function<double(double)>& f, Bracket bracket, RootTo
     const double at_high = f(bracket.high);
     if (at_low == 0.0) return bracket.low;
     if (at_high == 0.0) return bracket.high;
-    if (!(std::signbit(at_low) != std::signbit(at_high)) || !std::isfinite(at_low) || !std::isfinite(at_high)) {
+    if (!(std::signbit(at_low) != std::signbit(at_high)) || !std::isfinite(at_low) ||
+        !std::isfinite(at_high)) {
         throw NotConverged("root search: the interval does not bracket a root");
     }
 

@@ -2,11 +2,12 @@
 
 /// The Cross law of a shear-thinning bioink.
 ///
-///   η(γ̇) = η_inf + (η0 − η_inf) / (1 + (K γ̇)^α)                     Cross 1965; Müller et al. 2020, η_inf = 0
+///   η(γ̇) = η_inf + (η0 − η_inf) / (1 + (K γ̇)^α)                     Cross 1965; Müller et al. 2020, η_inf =
+///   0
 ///
 /// γ̇ = sqrt(2 S:S) is the rate of strain [1/s], K the time constant [s]: 1/K is the rate at which half of
-/// η0 − η_inf is gone. Degenerate cases: α = 0 is a Newtonian fluid of (η0 + η_inf)/2, not η0; at α = 1 the stress
-/// saturates; for α > 1 it has a maximum, past which no steady flow exists.
+/// η0 − η_inf is gone. Degenerate cases: α = 0 is a Newtonian fluid of (η0 + η_inf)/2, not η0; at α = 1 the
+/// stress saturates; for α > 1 it has a maximum, past which no steady flow exists.
 namespace bioprint {
 
 struct CrossInk {
