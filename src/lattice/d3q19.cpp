@@ -173,7 +173,11 @@ void D3q19<Real>::allocate() {
         force_[axis] = field(directions + 1 + axis);
         velocity_[axis] = field(directions + 4 + axis);
     }
-    scratch_.assign(threads_, std::vector<Real>(4 * static_cast<std::size_t>(pitch_)));
+    scratch_.assign(threads_, std::vector<Real>(static_cast<std::size_t>(pitch_)));
+    if (!slip_points_.empty()) {
+        slip_buffer_ = std::make_unique<HugeBuffer>(slip_points_.size() * nx_ * sizeof(Real));
+        slip_memory_ = static_cast<Real*>(slip_buffer_->data());
+    }
 }
 
 template <class Real>
@@ -203,6 +207,9 @@ void D3q19<Real>::initialise(const std::function<FlowState(double, double, doubl
             const double t = cross_ ? 3.0 * viscosity_.at(std::sqrt(2.0 * square + 4.0 * mixed))
                                     : static_cast<double>(constants_.t0);
             t_[offset(r) + x] = static_cast<Real>(t);
+            for (int axis = 0; axis < 3; ++axis) {
+                velocity_[axis][offset(r) + x] = static_cast<Real>(state.velocity[axis]);
+            }
             const double trace = (s[0] + s[1] + s[2]) / 3.0;
             for (int q = 0; q < directions; ++q) {
                 const auto [cx, cy, cz] = d3q19::velocity[q];
@@ -216,6 +223,7 @@ void D3q19<Real>::initialise(const std::function<FlowState(double, double, doubl
             }
         }
     }
+    slip_velocities({0, 1}, Real(1));
 }
 
 template <class Real>

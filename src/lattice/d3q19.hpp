@@ -31,8 +31,9 @@
 /// d'Humières 2008, "CLI": with Λ fixed the wall stays put for every viscosity), second order:
 ///   incoming = post_q(x) + κ (post_q(x − c_q) − post_q̄(x)) − 12 w/(1 + 2δ) c_q·u_wall,   κ = (1 − 2δ)/(1 +
 ///   2δ)
-/// Free slip: the same, with the wall moving as fast as the stress-free continuation of the fluid beside it
-/// (zero gradient of u_x and of u_θ/r, second order, read at 1.5 and 2.5 spacings from the wall).
+/// Free slip: the same interpolation between populations that keep their velocity along x, so that the shear
+/// stress along x vanishes where the link is cut, while u_θ of the wall follows the fluid (zero gradient of
+/// u_θ/r, read 1.5 spacings from the wall).
 ///
 /// Results do not depend on the number of threads, to the last bit.
 /// Accuracy, order of convergence and speed: tests/verify/d3q19.cpp, tests/bench/lattice3d.cpp.
@@ -54,11 +55,11 @@ enum class Ends { periodic, inflow_outflow };
 
 struct D3q19Setup {
     int nx = 16;  ///< a multiple of 16
-    Section section;
-    LatticeViscosity viscosity;
+    Section section{};
+    LatticeViscosity viscosity{};
     std::array<double, 3> body_force{};
     Ends ends = Ends::periodic;
-    std::function<double(double y, double z)> inflow;  ///< u_x, positions relative to the section's centre
+    std::function<double(double y, double z)> inflow{};  ///< u_x, positions relative to the section's centre
     int slip_begin = 0;  ///< walls are free-slip for slip_begin ≤ x < slip_end (round sections only)
     int slip_end = 0;
     int threads = 1;
@@ -144,12 +145,11 @@ class D3q19 {
         Real velocity;  ///< 6 w c·u of the inflow
         bool low;
     };
-    /// The stress-free continuation of the fluid to a wall point, as weights of velocity rows.
+    /// The stress-free continuation of u_θ to a wall point, as weights of velocity rows.
     struct SlipPoint {
-        std::array<int, 8> row;
-        std::array<Real, 8> along;  ///< of u_x
-        std::array<Real, 8> y;      ///< of u_y in u_θ
-        std::array<Real, 8> z;      ///< of u_z in u_θ
+        std::array<int, 4> row;
+        std::array<Real, 4> y;  ///< of u_y in u_θ
+        std::array<Real, 4> z;  ///< of u_z in u_θ
     };
     /// A population that a wall sends back.
     struct CutLink {
@@ -159,7 +159,7 @@ class D3q19 {
         Real wall;      ///< 12 w/(1 + 2δ) c·u of a moving wall
         Real fraction;  ///< δ
         int slip_point;
-        Real slip_along, slip_around;  ///< 12 w/(1 + 2δ) times c_x and times c·θ
+        Real slip_around;  ///< 12 w/(1 + 2δ) c·θ
     };
 
     [[nodiscard]] std::ptrdiff_t offset(int row) const { return static_cast<std::ptrdiff_t>(row) * pitch_; }
@@ -169,8 +169,6 @@ class D3q19 {
     void build_links();
     void add_wall(const WallLink& wall, int row);
     int add_slip_point(const WallLink& wall);
-    void sample(const std::array<double, 2>& point, double factor, int first, SlipPoint& slip,
-                const std::array<double, 2>& around);
     void add_end(int row, int y, int z, int q);
     void allocate();
     void collide(const Share& share, bool streaming);
@@ -180,7 +178,12 @@ class D3q19 {
     void mirrors(const Share& share, bool filling);
     void ends(const Share& share, bool filling);
     void walls(const Share& share, bool filling);
-    void cut_row(const CutLink& link, int begin, int end, const Real* wall, bool filling);
+    void rigid_row(const CutLink& link, int begin, int end, bool filling);
+    void slip_row(const CutLink& link, int begin, int end, const Real* wall, bool filling);
+    void slip_velocities(const Share& share, Real follow);
+    [[nodiscard]] Real* slip_around(int point) const {
+        return slip_memory_ + static_cast<std::ptrdiff_t>(point) * nx_;
+    }
     void slip_momentum(const CutLink& link, Real* wall) const;
 
     int nx_;
@@ -212,6 +215,8 @@ class D3q19 {
     std::vector<std::vector<Real>> scratch_;  ///< wall momentum of a row, one for each thread
 
     std::unique_ptr<HugeBuffer> memory_;
+    std::unique_ptr<HugeBuffer> slip_buffer_;
+    Real* slip_memory_ = nullptr;  ///< u_θ of every slip point
     std::array<Real*, 19> f_{};
     Real* t_ = nullptr;
     std::array<Real*, 3> force_{};

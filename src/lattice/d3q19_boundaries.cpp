@@ -15,6 +15,14 @@
 
 namespace bioprint {
 
+namespace {
+
+// How much of a free-slip wall's lag behind the fluid is made up in one step. Following at once would feed
+// back the alternation that odd moments make at large viscosity.
+constexpr float slip_follow = 0.25F;
+
+}  // namespace
+
 using d3q19::directions;
 using d3q19::mirrored_z;
 using d3q19::opposite;
@@ -80,30 +88,19 @@ void D3q19<Real>::add_wall(const WallLink& wall, int row) {
                               .wall = static_cast<Real>(scale * cu),
                               .fraction = static_cast<Real>(fraction),
                               .slip_point = slip_point,
-                              .slip_along = static_cast<Real>(scale * cx),
                               .slip_around = static_cast<Real>(scale * around)});
     }
 }
 
 template <class Real>
 int D3q19<Real>::add_slip_point(const WallLink& wall) {
-    // Depths of the two samples. From 1.5 on, all four nodes around a sample are fluid.
-    const double near = 1.5;
-    const double far = 2.5;
-    const double gap = far * far - near * near;
-    const double radius = section_.radius;
-    const std::array<double, 2> n = wall.normal;
-    const std::array<double, 2> around{-n[1], n[0]};
+    // Where the fluid is read. From 1.5 on, all four nodes around the place are fluid. Extrapolating from a
+    // second, deeper place would be third order, and was unstable.
+    const double depth = 1.5;
+    const std::array<double, 2> around{-wall.normal[1], wall.normal[0]};
+    const std::array<double, 2> point{(section_.radius - depth) * wall.normal[0],
+                                      (section_.radius - depth) * wall.normal[1]};
     SlipPoint slip{};
-    sample({(radius - near) * n[0], (radius - near) * n[1]}, far * far / gap, 0, slip, around);
-    sample({(radius - far) * n[0], (radius - far) * n[1]}, -near * near / gap, 4, slip, around);
-    slip_points_.push_back(slip);
-    return static_cast<int>(slip_points_.size()) - 1;
-}
-
-template <class Real>
-void D3q19<Real>::sample(const std::array<double, 2>& point, double factor, int first, SlipPoint& slip,
-                         const std::array<double, 2>& around) {
     const double at_y = point[0] + section_.origin_y - 0.5;
     const double at_z = point[1] + section_.origin_z - 0.5;
     const int y = static_cast<int>(std::floor(at_y));
@@ -114,18 +111,19 @@ void D3q19<Real>::sample(const std::array<double, 2>& point, double factor, int 
         const int dy = corner % 2;
         const int dz = corner / 2;
         const double share =
-            factor * (dy == 1 ? at_y - y : 1.0 - (at_y - y)) * (dz == 1 ? at_z - z : 1.0 - (at_z - z));
+            (dy == 1 ? at_y - y : 1.0 - (at_y - y)) * (dz == 1 ? at_z - z : 1.0 - (at_z - z));
         const int r = row(y + dy, z + dz);
         if (r < 0) {
             throw UsageError("the section is too narrow for free-slip walls");
         }
         const bool mirrored = z + dz < 0 || z + dz >= section_.nz;
-        slip.row[first + corner] = r;
-        slip.along[first + corner] = static_cast<Real>(share);
-        slip.y[first + corner] = static_cast<Real>(share * growth * around[0]);
-        slip.z[first + corner] = static_cast<Real>(share * growth * around[1] * (mirrored ? -1.0 : 1.0));
+        slip.row[corner] = r;
+        slip.y[corner] = static_cast<Real>(share * growth * around[0]);
+        slip.z[corner] = static_cast<Real>(share * growth * around[1] * (mirrored ? -1.0 : 1.0));
         observed_[r] = 1;
     }
+    slip_points_.push_back(slip);
+    return static_cast<int>(slip_points_.size()) - 1;
 }
 
 template <class Real>
@@ -140,6 +138,10 @@ void D3q19<Real>::fill(const Share& share) {
     }
     if (!end_links_.empty()) {
         ends(share, true);
+#pragma omp barrier
+    }
+    if (!slip_points_.empty()) {
+        slip_velocities(share, slip_follow);
 #pragma omp barrier
     }
     walls(share, true);
@@ -160,12 +162,17 @@ void D3q19<Real>::collect(const Share& share) {
         ends(share, false);
 #pragma omp barrier
     }
+    if (!slip_points_.empty()) {
+        slip_velocities(share, slip_follow);
+#pragma omp barrier
+    }
     walls(share, false);
 }
 
 template <class Real>
 void D3q19<Real>::wrap_ends(const Share& share, bool filling) {
-    const int rows = fluid_rows_ + (filling ? 0 : mirror_rows_);
+    // Slip walls collect from neighbours along x, so the rows behind them wrap as well.
+    const int rows = filling ? fluid_rows_ : (slip_points_.empty() ? fluid_rows_ + mirror_rows_ : all_rows_);
     const int last = static_cast<int>(share.end(rows));
     for (int r = static_cast<int>(share.begin(rows)); r < last; ++r) {
         for (int q = 1; q < directions; ++q) {
@@ -223,22 +230,30 @@ void D3q19<Real>::walls(const Share& share, bool filling) {
     for (std::size_t i = share.begin(cut_links_.size()); i < share.end(cut_links_.size()); ++i) {
         const CutLink& link = cut_links_[i];
         if (link.slip_point < 0) {
-            cut_row(link, 0, nx_, nullptr, filling);
+            rigid_row(link, 0, nx_, filling);
             continue;
         }
-        // A link that crosses the lip is cut by the rigid wall, from either side.
+        // A population that crosses the lip meets the rigid wall, from either side.
         const int cx = d3q19::velocity[link.q].x;
+        const bool outlet = cx > 0 && slip_end_ == nx_ && ends_ == Ends::inflow_outflow;
         const int begin = slip_begin_ + (cx < 0 && slip_begin_ > 0 ? 1 : 0);
-        const int end = slip_end_ - (cx > 0 && slip_end_ < nx_ ? 1 : 0);
+        const int end = slip_end_ - (cx > 0 && (slip_end_ < nx_ || outlet) ? 1 : 0);
         slip_momentum(link, scratch);
-        cut_row(link, 0, begin, nullptr, filling);
-        cut_row(link, begin, end, scratch, filling);
-        cut_row(link, end, nx_, nullptr, filling);
+        rigid_row(link, 0, begin, filling);
+        slip_row(link, begin, end, scratch, filling);
+        if (outlet) {
+            // Out of the corner of slip wall and outlet: pressure 0, as for the outlet's other populations.
+            Real& beside = slot(link.q, link.ghost_row)[nx_];
+            Real& inside = slot(opposite(link.q), link.row)[nx_ - 1];
+            (filling ? beside : inside) = -(filling ? inside : beside);
+        } else {
+            rigid_row(link, end, nx_, filling);
+        }
     }
 }
 
 template <class Real>
-void D3q19<Real>::cut_row(const CutLink& link, int begin, int end, const Real* wall, bool filling) {
+void D3q19<Real>::rigid_row(const CutLink& link, int begin, int end, bool filling) {
     if (begin >= end) {
         return;
     }
@@ -252,35 +267,60 @@ void D3q19<Real>::cut_row(const CutLink& link, int begin, int end, const Real* w
                     .near = filling ? home : ghost,
                     .far = filling ? far : own,
                     .back = filling ? own : far,
-                    .wall = wall == nullptr ? nullptr : wall + begin,
+                    .wall = nullptr,
                     .wall_constant = link.wall,
                     .kappa = link.kappa,
                     .nodes = end - begin});
 }
 
 template <class Real>
-void D3q19<Real>::slip_momentum(const CutLink& link, Real* wall) const {
+void D3q19<Real>::slip_row(const CutLink& link, int begin, int end, const Real* wall, bool filling) {
+    if (begin >= end) {
+        return;
+    }
+    // The population sent back at x left the neighbour x + c_x with the same velocity along x.
     const int cx = d3q19::velocity[link.q].x;
-    const SlipPoint& slip = slip_points_[link.slip_point];
-    // One node more on either side: a slanted link is cut between two nodes.
-    Real* const momentum = wall + pitch_;
-    const int begin = std::max(slip_begin_ - 1, 0);
-    const int end = std::min(slip_end_ + 1, nx_);
-    std::fill(momentum + begin, momentum + end, Real(0));
-    for (int k = 0; k < 8; ++k) {
-        const Real along = link.slip_along * slip.along[k];
-        const Real around_y = link.slip_around * slip.y[k];
-        const Real around_z = link.slip_around * slip.z[k];
-        const Real* const u_x = velocity(0, slip.row[k]);
-        const Real* const u_y = velocity(1, slip.row[k]);
-        const Real* const u_z = velocity(2, slip.row[k]);
-        for (int x = begin; x < end; ++x) {
-            momentum[x] += along * u_x[x] + around_y * u_y[x] + around_z * u_z[x];
+    const int back = opposite(link.q);
+    const int sent = d3q19::mirrored_x(link.q);
+    const int from = filling ? begin + cx : begin;
+    Real* const home = slot(back, link.row) + begin;
+    Real* const ghost = slot(link.q, link.ghost_row) + from;
+    const Real* const near =
+        filling ? slot(opposite(sent), link.row) + from : slot(sent, link.ghost_row) + from;
+    const Real* const far = filling ? slot(opposite(sent), link.far_row) + from : slot(sent, link.row) + from;
+    const Real* const own = filling ? slot(link.q, link.row) + from : slot(back, link.far_row) + from;
+    kernels_->link({.destination = filling ? ghost : home,
+                    .near = near,
+                    .far = far,
+                    .back = own,
+                    .wall = wall + begin,
+                    .wall_constant = 0,
+                    .kappa = link.kappa,
+                    .nodes = end - begin});
+}
+
+template <class Real>
+void D3q19<Real>::slip_velocities(const Share& share, Real follow) {
+    const std::size_t last = share.end(slip_points_.size());
+    for (std::size_t i = share.begin(slip_points_.size()); i < last; ++i) {
+        const SlipPoint& slip = slip_points_[i];
+        Real* const around = slip_around(static_cast<int>(i));
+        for (int x = slip_begin_; x < slip_end_; ++x) {
+            Real v = 0;
+            for (int k = 0; k < 4; ++k) {
+                const std::ptrdiff_t place = offset(slip.row[k]) + x;
+                v += slip.y[k] * velocity_[1][place] + slip.z[k] * velocity_[2][place];
+            }
+            around[x] += follow * (v - around[x]);
         }
     }
+}
+
+template <class Real>
+void D3q19<Real>::slip_momentum(const CutLink& link, Real* wall) const {
+    const Real* const around = slip_around(link.slip_point);
     for (int x = slip_begin_; x < slip_end_; ++x) {
-        const int ahead = std::clamp(x + cx, begin, end - 1);
-        wall[x] = momentum[x] + link.fraction * (momentum[ahead] - momentum[x]);
+        wall[x] = link.slip_around * around[x];
     }
 }
 

@@ -42,4 +42,15 @@ constexpr int mirrored_z(int q) {
     return -1;
 }
 
+/// The direction q with its component along x reversed.
+constexpr int mirrored_x(int q) {
+    for (int p = 0; p < directions; ++p) {
+        if (velocity[p].x == -velocity[q].x && velocity[p].y == velocity[q].y &&
+            velocity[p].z == velocity[q].z) {
+            return p;
+        }
+    }
+    return -1;
+}
+
 }  // namespace bioprint::d3q19

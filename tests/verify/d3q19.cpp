@@ -2,12 +2,13 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <vector>
 
 #include "bioprint/errors.hpp"
+#include "bioprint/flow/nozzle_flow.hpp"
 
 using namespace bioprint;
 using d3q19::InstructionSet;
@@ -68,6 +69,78 @@ double tube_error(double radius, double nu, bool half) {
         }
     }
     return std::sqrt(error / norm);
+}
+
+/// Relative L2 error of developed flow of an ink, driven by its exact pressure gradient.
+double ink_error(double alpha, double radius) {
+    const double dx = 50e-6 / radius;
+    const NozzleFlow flow = NozzleFlow::from_velocity(
+        {.eta0 = 10.0, .eta_inf = 0.0, .time_constant = 0.05, .alpha = alpha}, 50e-6, 5e-3);
+    const double dt = 0.02 * dx / 5e-3;
+    const double nu0 = 10.0;
+    D3q19<double> lattice({.nx = 16,
+                           .section = tube(radius, true),
+                           .viscosity = {.nu0 = nu0, .time_constant = 0.05 / dt, .alpha = alpha},
+                           .body_force = {flow.pressure_gradient() * dx * nu0 * dt / 10.0, 0.0, 0.0},
+                           .inflow = {}});
+    lattice.initialise([&](double, double y, double z) {
+        const double r = std::hypot(y, z);
+        const double slope = -0.5 * flow.shear_rate(r * dx) * dt / r;
+        return FlowState{.velocity = {flow.velocity(r * dx) * dt / dx, 0.0, 0.0},
+                         .strain_rate = {0.0, 0.0, 0.0, slope * y, slope * z, 0.0}};
+    });
+    const Section& s = lattice.section();
+    run_until_steady(lattice, lattice.row(s.ny / 2, 0), 1e-7, 50, 20000);
+    double error = 0.0;
+    double norm = 0.0;
+    for (int row = 0, z = 0; z < s.nz; ++z) {
+        for (int y = 0; y < s.ny; ++y) {
+            if (s.is_fluid(y, z)) {
+                const double exact = flow.velocity(std::hypot(s.y_of(y), s.z_of(z)) * dx) * dt / dx;
+                const double difference = lattice.at(0, row++).velocity[0] - exact;
+                error += difference * difference;
+                norm += exact * exact;
+            }
+        }
+    }
+    return std::sqrt(error / norm);
+}
+
+/// A tube with everything in it, in some setting, as bytes.
+template <class Real>
+std::vector<double> fingerprint(int threads, InstructionSet instructions) {
+    const double radius = 9.3;
+    D3q19<Real> lattice(
+        {.nx = 48,
+         .section = tube(radius, true),
+         .viscosity = {.nu0 = 0.7, .nu_inf = 0.01, .time_constant = 500.0, .alpha = 0.75},
+         .body_force = {1e-6, 2e-6, 0.0},
+         .ends = Ends::inflow_outflow,
+         .inflow = [=](double y, double z) { return 0.01 * (1.0 - (y * y + z * z) / (radius * radius)); },
+         .slip_begin = 20,
+         .slip_end = 48,
+         .threads = threads,
+         .instructions = instructions});
+    run(lattice, 40);
+    std::vector<double> values;
+    for (int row = 0; row < lattice.rows(); ++row) {
+        for (int x = 0; x < lattice.nx(); ++x) {
+            const NodeState state = lattice.at(x, row);
+            values.insert(values.end(),
+                          {state.density, state.velocity[0], state.velocity[1], state.viscosity});
+        }
+    }
+    return values;
+}
+
+double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
+    double worst = 0.0;
+    double size = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        worst = std::max(worst, std::abs(a[i] - b[i]));
+        size = std::max(size, std::abs(a[i]));
+    }
+    return worst / size;
 }
 
 }  // namespace
@@ -131,4 +204,78 @@ TEST_CASE("3-D lattice: the error of tube flow does not depend on the viscosity"
 
 TEST_CASE("3-D lattice: half a tube with a mirror gives what the whole tube gives") {
     CHECK(tube_error(7.5, 0.5, true) == doctest::Approx(tube_error(7.5, 0.5, false)).epsilon(1e-6));
+}
+
+TEST_CASE("3-D lattice: shear-thinning tube flow converges with the second power of the radius") {
+    std::printf("alpha  radius   error (L2)   order\n");
+    for (const double alpha : {0.3, 0.75}) {
+        double before = 0.0;
+        double radius_before = 0.0;
+        for (const double radius : {6.3, 12.6, 25.2}) {
+            const double error = ink_error(alpha, radius);
+            const double order = std::log(before / error) / std::log(radius / radius_before);
+            std::printf("%5.2f  %6.1f  %15.2e  %6.2f\n", alpha, radius, error, before == 0.0 ? 0.0 : order);
+            if (before != 0.0) {
+                CHECK(order > 1.8);
+            }
+            before = error;
+            radius_before = radius;
+        }
+        CHECK(std::abs(before) < 4e-3);
+    }
+}
+
+TEST_CASE("3-D lattice: the number of threads does not change a bit") {
+    const auto one = fingerprint<float>(1, InstructionSet::best);
+    CHECK(one == fingerprint<float>(2, InstructionSet::best));
+    CHECK(one == fingerprint<float>(5, InstructionSet::best));
+}
+
+TEST_CASE("3-D lattice: every instruction set gives the same flow up to rounding") {
+    const auto in_float = fingerprint<float>(1, InstructionSet::baseline);
+    const auto in_double = fingerprint<double>(1, InstructionSet::baseline);
+    CHECK(largest_difference(in_float, in_double) < 1e-4);
+    for (const InstructionSet set : {InstructionSet::avx2, InstructionSet::avx512}) {
+        if (d3q19::kernels<float>(set) != nullptr) {
+            CHECK(largest_difference(in_float, fingerprint<float>(1, set)) < 1e-5);
+            CHECK(largest_difference(in_double, fingerprint<double>(1, set)) < 1e-12);
+        }
+    }
+}
+
+TEST_CASE("3-D lattice: a free-slip cylinder leaves a rigid rotation and a plug flow alone") {
+    D3q19<double> lattice(
+        {.nx = 16, .section = tube(10.0, false), .inflow = {}, .slip_begin = 0, .slip_end = 16});
+    const double spin = 1e-4;
+    lattice.initialise([&](double, double y, double z) {
+        return FlowState{.velocity = {2e-3, -spin * z, spin * y}};
+    });
+    run(lattice, 300);
+    double worst = 0.0;
+    for (int z = 0; z < 20; ++z) {
+        for (int y = 0; y < 20; ++y) {
+            if (const int row = lattice.row(y, z); row >= 0) {
+                const NodeState state = lattice.at(5, row);
+                worst = std::max(
+                    {worst, std::abs(state.velocity[0] - 2e-3) / 2e-3,
+                     std::abs(state.velocity[1] + spin * lattice.section().z_of(z)) / (10.0 * spin)});
+            }
+        }
+    }
+    CHECK(worst < 1e-3);
+}
+
+TEST_CASE("3-D lattice: a setup that cannot run is refused") {
+    CHECK_THROWS_AS(D3q19<float>({.nx = 20, .section = tube(5.0, true), .inflow = {}}), UsageError);
+    CHECK_THROWS_AS(
+        D3q19<float>({.nx = 16, .section = tube(5.0, true), .viscosity = {.nu0 = -1.0}, .inflow = {}}),
+        UsageError);
+    CHECK_THROWS_AS(
+        D3q19<float>({.nx = 16, .section = tube(5.0, true), .ends = Ends::inflow_outflow, .inflow = {}}),
+        UsageError);
+    CHECK_THROWS_AS(
+        D3q19<float>(
+            {.nx = 16, .section = plates(8, 8, 0, 0, Sides::periodic), .inflow = {}, .slip_end = 16}),
+        UsageError);
+    CHECK_THROWS_AS(tube(1.0, true), UsageError);
 }
