@@ -18,9 +18,7 @@ double thinning_at(double v, double alpha) {
 }  // namespace
 
 StressDeficit::StressDeficit(double alpha, double viscosity_ratio)
-    : alpha_(alpha), ratio_(viscosity_ratio), panel_width_(4.0 / std::max(1.0, alpha)) {
-    reserve(0.0);
-}
+    : alpha_(alpha), ratio_(viscosity_ratio), panel_width_(4.0 / std::max(1.0, alpha)) {}
 
 std::size_t StressDeficit::node_count(double log_wall) const {
     const double panels = std::ceil((tail + std::max(0.0, log_wall)) / panel_width_);
