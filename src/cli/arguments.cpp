@@ -21,8 +21,9 @@ Examples:
   bioprint-predict --radius 50um --flowrate 141uL/h --alpha 0.75
   bioprint-predict --needle 25G --tip steel --flowrate 20uL/min --ink alginate-2-25C --json
   bioprint-predict --batch runs.csv --output answers.csv
+  bioprint-predict --alpha 0.75 --simulate=exit --fidelity draft
 Exit status: 0 answered, 1 a bug, 2 the call is wrong, 3 no steady flow, 4 a file could not be
-  read or written, 6 some rows of a batch failed, 130 interrupted.
+  read or written, 5 a simulation did not come to its end, 6 some rows of a batch failed, 130 interrupted.
 The full reference: man bioprint-predict)";
 
 struct Raw {
@@ -33,6 +34,9 @@ struct Raw {
     std::string list;
     std::string jobs;
     std::vector<std::string> paths;
+    std::string scene;
+    std::string fidelity;
+    std::string resolution;
     bool json = false;
 };
 
@@ -81,6 +85,19 @@ void add_answer_options(CLI::App& app, Raw& raw, Arguments& arguments) {
     app.add_flag("-v,--verbose", arguments.verbose, "add the reference quadrature's error estimates")
         ->group(group);
     app.add_flag("--no-color", arguments.no_color, "no colour, as does NO_COLOR")->group(group);
+}
+
+void add_simulation_options(CLI::App& app, Raw& raw) {
+    const std::string group = "The simulation";
+    app.add_flag("--simulate{auto}", raw.scene,
+                 "verify by simulation; --simulate=SCENE with exit-flow, channel, exit or auto")
+        ->group(group);
+    app.add_option("--fidelity", raw.fidelity, "draft, standard or fine: 3, 6 or 12 nodes a cell radius")
+        ->type_name("WORD")
+        ->group(group);
+    app.add_option("--resolution", raw.resolution, "nodes a cell radius, in place of --fidelity")
+        ->type_name("N")
+        ->group(group);
 }
 
 std::optional<Format> parse_format(const std::string& text) {
@@ -152,6 +169,39 @@ void collect_answer(const Raw& raw, Arguments& arguments, Problems& problems) {
     }
 }
 
+void collect_simulation(const Raw& raw, Arguments& arguments, Problems& problems) {
+    SimulationQuestion question;
+    if (!raw.fidelity.empty()) {
+        if (raw.fidelity == "draft") {
+            question.fidelity = Fidelity::draft;
+        } else if (raw.fidelity == "fine") {
+            question.fidelity = Fidelity::fine;
+        } else if (raw.fidelity != "standard") {
+            problems.add("--fidelity: got '" + raw.fidelity + "'; it takes draft, standard or fine",
+                         "--fidelity");
+        }
+    }
+    if (!raw.resolution.empty()) {
+        problems.collect([&] {
+            question.resolution = parse_quantity(raw.resolution, Dimension::dimensionless, "--resolution");
+            if (*question.resolution < 3.0 || *question.resolution > 48.0) {
+                throw UsageError("--resolution: takes 3 to 48 nodes a cell radius", "--resolution");
+            }
+        });
+    }
+    if (raw.scene.empty()) {
+        if (!raw.fidelity.empty() || !raw.resolution.empty()) {
+            problems.add("--fidelity and --resolution belong to a simulation; add --simulate", "--fidelity");
+        }
+        return;
+    }
+    question.scene = raw.scene;
+    arguments.simulation = question;
+    if (arguments.batch || !arguments.sweep.swept().empty()) {
+        problems.add("--simulate: one question at a time; leave out --batch and lists", "--simulate");
+    }
+}
+
 }  // namespace
 
 std::optional<Arguments> parse_arguments(int argc, const char* const* argv) {
@@ -166,6 +216,7 @@ std::optional<Arguments> parse_arguments(int argc, const char* const* argv) {
     Raw raw;
     add_prediction_options(app, raw);
     add_answer_options(app, raw, arguments);
+    add_simulation_options(app, raw);
     Problems problems;
     try {
         app.parse(argc, argv);
@@ -186,6 +237,7 @@ std::optional<Arguments> parse_arguments(int argc, const char* const* argv) {
     }
     collect_question(app, raw, arguments, problems);
     collect_answer(raw, arguments, problems);
+    collect_simulation(raw, arguments, problems);
     problems.raise();
     return arguments;
 }

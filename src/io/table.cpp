@@ -205,6 +205,14 @@ double largest_stress(const Prediction& prediction, Place place, bool& complete)
 
 }  // namespace
 
+std::string table_heading(std::string_view text, TableStyle style) {
+    return heading(text, style);
+}
+
+std::string table_grid(const std::vector<std::vector<std::string>>& rows, std::size_t left) {
+    return grid(rows, left);
+}
+
 std::string answer_table(const Prediction& prediction, TableStyle style) {
     std::string out = input_section(prediction, style) + nozzle_section(prediction.nozzle, style) +
                       exit_section(prediction.exit, style) + cells_section(prediction, style);
