@@ -193,14 +193,24 @@ std::string notes_section(const std::vector<Warning>& warnings, TableStyle style
     return out;
 }
 
-double largest_stress(const Prediction& prediction, Place place, bool& complete) {
+/// The largest stress in the nozzle.
+double nozzle_stress(const Prediction& prediction) {
     double largest = 0.0;
     for (const CellAnswer& cell : prediction.cells) {
-        if (cell.place != place) continue;
-        if (cell.stress) largest = std::max(largest, cell.stress->von_mises);
-        complete = complete && cell.stress.has_value();
+        if (cell.place == Place::nozzle && cell.stress) largest = std::max(largest, cell.stress->von_mises);
     }
     return largest;
+}
+
+/// The stress at the exit by the better model: carried in time where that was asked for, else steady.
+std::optional<double> exit_stress(const Prediction& prediction) {
+    std::optional<double> stress;
+    for (const CellAnswer& cell : prediction.cells) {
+        if (cell.place != Place::exit) continue;
+        if (cell.stress) stress = cell.stress->von_mises;
+        if (!cell.stress && cell.model == Model::ellipsoid) stress.reset();
+    }
+    return stress;
 }
 
 }  // namespace
@@ -231,15 +241,14 @@ std::vector<std::string> SweepTable::label_cells(const Settings& row) const {
 
 void SweepTable::add(const Settings& row, const Prediction& prediction) {
     std::vector<std::string> cells = label_cells(row);
-    bool complete = true;
-    const double in_nozzle = largest_stress(prediction, Place::nozzle, complete);
-    const double at_exit = largest_stress(prediction, Place::exit, complete);
+    const double in_nozzle = nozzle_stress(prediction);
+    const std::optional<double> at_exit = exit_stress(prediction);
     cells.push_back(lab(prediction.nozzle.flow_rate, Dimension::volume_flow));
     cells.push_back(lab(prediction.nozzle.pressure_gradient, Dimension::pressure_gradient));
     cells.push_back(lab(prediction.nozzle.stress_max, Dimension::pressure));
     cells.push_back(lab(prediction.exit.elongational_stress, Dimension::pressure));
     cells.push_back(lab(in_nozzle, Dimension::pressure));
-    cells.push_back(complete && at_exit > 0.0 ? lab(at_exit, Dimension::pressure) : "–");
+    cells.push_back(at_exit ? lab(*at_exit, Dimension::pressure) : "–");
     rows_.push_back(std::move(cells));
     for (const Warning& warning : prediction.warnings) {
         if (std::find(notes_.begin(), notes_.end(), warning.code) == notes_.end())
