@@ -147,7 +147,7 @@ std::string_view model_label(Model model) {
         case Model::roscoe_shear:
             return "shear";
         case Model::roscoe_elongation:
-            return "steady";
+            return "(steady)";
         case Model::ellipsoid:
             return "ellipsoid";
     }
@@ -164,7 +164,14 @@ std::string cells_section(const Prediction& prediction, TableStyle style) {
     std::vector<std::vector<std::string>> rows = {
         {"place", "offset", "fluid", "von Mises", "viscous", "stretch", "", "", "angle", "model"},
         {"", "µm", unit_name, unit_name, unit_name, "α1", "α2", "α3", "°", ""}};
+    // At the exit the cell carried in time leads; the steady theory stands in brackets below it.
+    std::vector<const CellAnswer*> order;
     for (const CellAnswer& cell : prediction.cells) {
+        order.push_back(&cell);
+        if (cell.model == Model::ellipsoid) std::iter_swap(order.end() - 1, order.end() - 2);
+    }
+    for (const CellAnswer* const entry : order) {
+        const CellAnswer& cell = *entry;
         const auto stress = [&](double value) { return format_in(value, unit, 4); };
         const auto stretch = [&](std::size_t i) { return cell.stretch ? plain((*cell.stretch)[i]) : "–"; };
         rows.push_back({cell.place == Place::nozzle ? "nozzle" : "exit", plain(cell.offset * 1e6),
