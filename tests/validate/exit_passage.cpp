@@ -11,6 +11,7 @@
 #include "bioprint/cell/axis_passage.hpp"
 #include "bioprint/cell/bullet.hpp"
 #include "predict/exit_axis.hpp"
+#include "predict/exit_axis_table.hpp"
 #include "support/reference_table.hpp"
 
 namespace {
@@ -116,6 +117,22 @@ TEST_CASE("exit axis: the interpolated profile is as close to the finite-element
         CHECK(worst < 0.0085);
         CHECK(!axis.extrapolated());
     }
+}
+
+TEST_CASE("exit axis: the compiled table is the one in data") {
+    std::size_t row = 0;
+    for (const auto& line : test::read_reference("../../data/exit/axis_profile.csv")) {
+        const std::size_t i = row / exit_rates.size();
+        const std::size_t j = row % exit_rates.size();
+        ++row;
+        CHECK(line.at("alpha") == exit_alphas.at(i));
+        CHECK(line.at("rate") == exit_rates.at(j));
+        CHECK(line.at("x0") == exit_shapes.at(i).at(j).x0);
+        CHECK(line.at("w") == exit_shapes.at(i).at(j).w);
+        CHECK(line.at("c") == exit_shapes.at(i).at(j).c);
+        CHECK(line.at("max_error") < 0.023);
+    }
+    CHECK(row == exit_alphas.size() * exit_rates.size());
 }
 
 TEST_CASE("exit axis: its derivatives are those of its velocity") {
