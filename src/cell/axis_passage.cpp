@@ -25,7 +25,7 @@ namespace bioprint {
 namespace {
 
 /// Where the inner iteration takes its last step, relative.
-constexpr double close_enough = 1e-4;
+constexpr double close_enough = 1e-3;
 
 using State = OdeState<4>;
 enum Component : std::size_t { log_stretch, mode1, mode3, elapsed };
@@ -56,7 +56,7 @@ class Passage {
         const AxisFlow here = flow_(z);
         const double local = viscosity(ink_, rate(here.elongation));
         double elongation = here.elongation;
-        if (effects_.volume_average) elongation = average_elongation(z);
+        if (effects_.volume_average) elongation = average_elongation(z, local);
         const double radial = effects_.quadratic_flow ? here.radial / local : 0.0;
         // Mean square over the cell's volume; the shear 2 U2 ρ has ⟨ρ²⟩ = (2/5) a².
         const double square = 3.0 * elongation * elongation + 1.6 * a * a * radial * radial;
@@ -154,22 +154,29 @@ class Passage {
     /// α1² − 1/α1
     static double stretch_difference(double x) { return 2.0 * std::exp(0.5 * x) * std::sinh(1.5 * x); }
 
-    /// ⟨∂u_z/∂z⟩ over the ball: (3/(2a³)) ∫ ξ [U(ξ) + (a²−ξ²) U2(ξ)] dξ, by parts from slices.
-    [[nodiscard]] double average_elongation(double z) const {
+    /// ⟨∂u_z/∂z⟩ over the ball: (3/(2a³)) ∫ ξ [U(ξ) + (a²−ξ²) U2(ξ)] dξ, by parts from slices. The viscosity
+    /// in U2 is taken at the centre and the outer pair of points, its inverse quadratic between them.
+    [[nodiscard]] double average_elongation(double z, double viscosity_at_centre) const {
         const double a = cell_.radius;
-        double sum = 0.0;
-        for (std::size_t i = 0; i < 2; ++i) {
-            const AxisFlow ahead = flow_(z + a * short_node[i]);
-            const AxisFlow behind = flow_(z - a * short_node[i]);
-            double difference = ahead.velocity - behind.velocity;
-            if (effects_.quadratic_flow) {
-                difference += a * a * (1.0 - short_node[i] * short_node[i]) *
-                              (ahead.radial / viscosity(ink_, rate(ahead.elongation)) -
-                               behind.radial / viscosity(ink_, rate(behind.elongation)));
-            }
-            sum += short_weight[i] * short_node[i] * difference;
+        const double outer = short_node[1];
+        const AxisFlow ahead = flow_(z + a * outer);
+        const AxisFlow behind = flow_(z - a * outer);
+        const AxisFlow ahead_near = flow_(z + a * short_node[0]);
+        const AxisFlow behind_near = flow_(z - a * short_node[0]);
+        double far = ahead.velocity - behind.velocity;
+        double near = ahead_near.velocity - behind_near.velocity;
+        if (effects_.quadratic_flow) {
+            const double centre = 1.0 / viscosity_at_centre;
+            const double plus = 1.0 / viscosity(ink_, rate(ahead.elongation));
+            const double minus = 1.0 / viscosity(ink_, rate(behind.elongation));
+            const double t = short_node[0] / outer;
+            const double odd = 0.5 * t * (plus - minus);
+            const double even = centre + t * t * (0.5 * (plus + minus) - centre);
+            far += a * a * (1.0 - outer * outer) * (ahead.radial * plus - behind.radial * minus);
+            near += a * a * (1.0 - short_node[0] * short_node[0]) *
+                    (ahead_near.radial * (even + odd) - behind_near.radial * (even - odd));
         }
-        return 1.5 / a * sum;
+        return 1.5 / a * (short_weight[1] * outer * far + short_weight[0] * short_node[0] * near);
     }
 
     /// d from the balance of stresses: a fixed point in the two viscosities that depend on it, by secant
