@@ -186,8 +186,9 @@ SimulationResult simulate(const Scene& scene, const SimulationOptions& options) 
     const bool with_cell = scene.kind != SceneKind::exit_flow;
     const int coarse_nodes = with_cell ? nodes_for(scene, coarse_layers, options.mesh_spacing)
                                        : std::max(smallest_nodes, nodes / 2);
-    RunLog fine(options, true);
-    RunLog coarse(options, false);
+    Keeper keeper(scene, options);
+    RunLog fine(options, keeper, "fine ", true);
+    RunLog coarse(options, keeper, "coarse ", false);
     // A cell takes two layers of elements at least.
     const bool compare = options.estimate_error && (!with_cell || coarse_layers >= 2) && coarse_nodes < nodes;
     run_both(
