@@ -6,6 +6,10 @@
 
 add_library(bioprint_options INTERFACE)
 target_compile_options(bioprint_options INTERFACE -Wall -Wextra -Wpedantic -Werror)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+  # GCC bug 105651: false alarms of -Wrestrict in std::string's operator+.
+  target_compile_options(bioprint_options INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wno-restrict>)
+endif()
 # Optimisations that keep IEEE values: no errno from libm, no floating-point traps, loops marked `omp simd`.
 target_compile_options(bioprint_options INTERFACE -fno-math-errno -fno-trapping-math -fopenmp-simd)
 if(BIOPRINT_SANITIZE)
@@ -26,6 +30,16 @@ function(bioprint_room name)
   foreach(room ${ROOM_LINKS})
     target_link_libraries(bioprint_${name} PUBLIC bioprint_${room})
   endforeach()
-  target_link_libraries(bioprint_${name} PRIVATE $<BUILD_INTERFACE:bioprint_options> ${ROOM_PRIVATE})
+  target_link_libraries(bioprint_${name} PRIVATE $<BUILD_INTERFACE:bioprint_options>)
+  foreach(target ${ROOM_PRIVATE})
+    if(target MATCHES "^(Eigen3|nlohmann_json|CLI11)::")
+      # Headers alone, and in no header of ours: who uses the installed library need not have them.
+      target_link_libraries(bioprint_${name} PRIVATE $<BUILD_INTERFACE:${target}>)
+    else()
+      target_link_libraries(bioprint_${name} PRIVATE ${target})
+      string(REGEX REPLACE "::.*" "" package ${target})
+      set_property(GLOBAL APPEND PROPERTY BIOPRINT_LINKED_PACKAGES ${package})
+    endif()
+  endforeach()
   set_property(GLOBAL APPEND PROPERTY BIOPRINT_ROOMS ${name})
 endfunction()

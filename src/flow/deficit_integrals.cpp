@@ -18,9 +18,7 @@ double thinning_at(double v, double alpha) {
 }  // namespace
 
 StressDeficit::StressDeficit(double alpha, double viscosity_ratio)
-    : alpha_(alpha), ratio_(viscosity_ratio), panel_width_(4.0 / std::max(1.0, alpha)) {
-    reserve(0.0);
-}
+    : alpha_(alpha), ratio_(viscosity_ratio), panel_width_(4.0 / std::max(1.0, alpha)) {}
 
 std::size_t StressDeficit::node_count(double log_wall) const {
     const double panels = std::ceil((tail + std::max(0.0, log_wall)) / panel_width_);
@@ -31,8 +29,8 @@ void StressDeficit::reserve(double log_wall) {
     const std::size_t count = node_count(log_wall);
     const GaussRule& rule = gauss_rule();
     for (std::size_t i = weight_.size(); i < count; ++i) {
-        const double panel = static_cast<double>(i / GaussRule::size);
-        const double v = panel_width_ * (panel + rule.node[i % GaussRule::size]);
+        const std::size_t panel = i / GaussRule::size;
+        const double v = panel_width_ * (static_cast<double>(panel) + rule.node[i % GaussRule::size]);
         weight_.push_back(panel_width_ * rule.weight[i % GaussRule::size] * std::exp(-v));
         newtonian_.push_back(-std::expm1(-v));
         thinning_.push_back(thinning_at(v, alpha_));

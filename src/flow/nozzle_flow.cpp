@@ -1,6 +1,7 @@
 #include "bioprint/flow/nozzle_flow.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <sstream>
@@ -15,19 +16,23 @@ namespace {
 /// Rates beyond 1e100/K describe nothing; they occur where a stress saturates (α near 1).
 const double log_wall_limit = 100.0 * std::log(10.0);
 
-/// The nodes depend on the ink alone, and sweeps and batches ask for the same ink again and again.
+/// The nodes depend on the ink alone, and sweeps and batches ask for the same few inks again and again.
 StressDeficit& deficit_of(const CrossInk& ink) {
     struct Cached {
-        double alpha;
-        double ratio;
-        StressDeficit deficit;
+        double alpha = -1.0;
+        double ratio = -1.0;
+        StressDeficit deficit{0.0, 0.0};
     };
-    thread_local Cached cached{0.0, 0.0, StressDeficit(0.0, 0.0)};
+    thread_local std::array<Cached, 16> cache;
+    thread_local std::size_t oldest = 0;
     const double ratio = ink.eta_inf / ink.eta0;
-    if (cached.alpha != ink.alpha || cached.ratio != ratio) {
-        cached = Cached{ink.alpha, ratio, StressDeficit(ink.alpha, ratio)};
+    for (Cached& entry : cache) {
+        if (entry.alpha == ink.alpha && entry.ratio == ratio) return entry.deficit;
     }
-    return cached.deficit;
+    Cached& entry = cache[oldest];
+    oldest = (oldest + 1) % cache.size();
+    entry = Cached{ink.alpha, ratio, StressDeficit(ink.alpha, ratio)};
+    return entry.deficit;
 }
 
 [[noreturn]] void refuse(const CrossInk& ink, double velocity_average, double top) {
@@ -100,8 +105,10 @@ NozzleFlow::NozzleFlow(const CrossInk& ink, double radius, double wall_rate)
 
 NozzleFlow NozzleFlow::from_velocity(const CrossInk& ink, double radius, double velocity_average) {
     if (velocity_average == 0.0) return {ink, radius, 0.0};
+    const bool newtonian = ink.alpha == 0.0 || ink.eta_inf == ink.eta0;
     const double wall_rate =
-        std::exp(log_wall_rate(ink, radius, velocity_average) - std::log(ink.time_constant));
+        newtonian ? 4.0 * velocity_average / radius
+                  : std::exp(log_wall_rate(ink, radius, velocity_average) - std::log(ink.time_constant));
     NozzleFlow flow(ink, radius, wall_rate);
     flow.velocity_average_ = velocity_average;
     return flow;
@@ -115,6 +122,10 @@ NozzleFlow NozzleFlow::from_pressure_gradient(const CrossInk& ink, double radius
     NozzleFlow flow(ink, radius, rate_at_stress(ink, 0.5 * gradient * radius));
     flow.wall_stress_ = 0.5 * gradient * radius;
     return flow;
+}
+
+NozzleFlow NozzleFlow::from_wall_rate(const CrossInk& ink, double radius, double rate) {
+    return {ink, radius, rate};
 }
 
 double NozzleFlow::flow_rate() const {

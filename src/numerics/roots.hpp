@@ -47,9 +47,11 @@ double find_increasing_root(const F& f, Bracket bracket, double guess, double ab
         double next = x - at.value / at.slope;
         if (!(next >= bracket.low && next <= bracket.high)) next = 0.5 * (bracket.low + bracket.high);
         const double step = std::abs(next - x);
-        // Rounding, not the method, sets the last digits: stop when steps no longer shrink at that level.
+        // Near the root every step squares the relative distance; one that does not shrink is the rounding of
+        // f.
         const double resolution = absolute + 4e-16 * std::abs(next);
-        if (step <= resolution || (step >= last_step && step <= 64.0 * resolution)) return next;
+        const bool rounding = step >= last_step && step <= 1e-8 * (1.0 + std::abs(next));
+        if (step <= resolution || rounding) return next;
         last_step = step;
         x = next;
     }

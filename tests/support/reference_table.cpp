@@ -1,8 +1,7 @@
 #include "support/reference_table.hpp"
 
-#include <cstdlib>
+#include <charconv>
 #include <fstream>
-#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -18,23 +17,35 @@ std::vector<std::string> split(const std::string& line) {
 
 }  // namespace
 
-ReferenceTable read_reference(const std::string& file) {
+std::vector<ReferenceRow> read_reference(const std::string& file) {
     const std::string path = std::string(BIOPRINT_SOURCE_DIR) + "/tests/reference/" + file;
     std::ifstream in(path);
     std::string line;
     if (!std::getline(in, line)) throw std::runtime_error("cannot read " + path);
-    const std::vector<std::string> header = split(line);
-    ReferenceTable table;
+    const std::vector<std::string> names = split(line);
+    std::vector<ReferenceRow> rows;
     while (std::getline(in, line)) {
         const std::vector<std::string> fields = split(line);
-        for (std::size_t i = 0; i < header.size(); ++i) {
-            char* end = nullptr;
-            const double value = i < fields.size() ? std::strtod(fields[i].c_str(), &end)
-                                                   : std::numeric_limits<double>::quiet_NaN();
-            table[header[i]].push_back(value);
+        ReferenceRow row;
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            double value = 0.0;
+            const std::string& text = fields.at(i);
+            if (std::from_chars(text.data(), text.data() + text.size(), value).ec != std::errc{}) {
+                throw std::runtime_error("not a number in " + path + ": " + text);
+            }
+            row[names[i]] = value;
         }
+        rows.push_back(std::move(row));
     }
-    return table;
+    return rows;
+}
+
+ReferenceColumns read_reference_columns(const std::string& file) {
+    ReferenceColumns columns;
+    for (const ReferenceRow& row : read_reference(file)) {
+        for (const auto& [name, value] : row) columns[name].push_back(value);
+    }
+    return columns;
 }
 
 }  // namespace bioprint::test

@@ -4,11 +4,16 @@
 #include <string>
 #include <vector>
 
-/// Columns of a plain CSV of numbers from tests/reference, by header name.
+/// Reference tables of the tests: CSV with a header line, then numbers.
 namespace bioprint::test {
 
-using ReferenceTable = std::map<std::string, std::vector<double>>;
+using ReferenceRow = std::map<std::string, double>;
 
-ReferenceTable read_reference(const std::string& file);
+/// @param file  below tests/reference
+std::vector<ReferenceRow> read_reference(const std::string& file);
+
+/// The same by columns.
+using ReferenceColumns = std::map<std::string, std::vector<double>>;
+ReferenceColumns read_reference_columns(const std::string& file);
 
 }  // namespace bioprint::test

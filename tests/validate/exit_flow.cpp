@@ -1,12 +1,11 @@
 #include <doctest/doctest.h>
 
-#include <charconv>
 #include <cmath>
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include "bioprint/simulate/simulation.hpp"
+#include "support/reference_table.hpp"
 
 using namespace bioprint;
 
@@ -30,18 +29,10 @@ struct AxisPoint {
 };
 
 std::vector<AxisPoint> axis(const char* file) {
-    std::ifstream in(std::string(BIOPRINT_SOURCE_DIR) + "/tests/reference/" + file);
-    REQUIRE(in);
+    constexpr double radius = 50e-6;
     std::vector<AxisPoint> points;
-    std::string line;
-    std::getline(in, line);
-    while (std::getline(in, line)) {
-        double values[2] = {0.0, 0.0};
-        const char* at = line.data();
-        const char* end = line.data() + line.size();
-        at = std::from_chars(at, end, values[0]).ptr + 1;
-        std::from_chars(at, end, values[1]);
-        points.push_back({.x = values[0], .stress = values[1]});
+    for (const test::ReferenceRow& row : test::read_reference(file)) {
+        points.push_back({.x = row.at("x_over_R") * radius, .stress = row.at("elongational_stress")});
     }
     return points;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "bioprint/flow/nozzle_flow.hpp"
 
 /// The elongation a bioink undergoes where it leaves the nozzle: from the nozzle's profile to the plug of the
@@ -18,5 +20,9 @@ struct NozzleExit {
 };
 
 NozzleExit nozzle_exit(const NozzleFlow& flow);
+
+/// The flow at which the elongational stress of the exit reaches `stress` [Pa] > 0; none when this ink bears
+/// no such flow.
+std::optional<NozzleFlow> flow_at_elongational_stress(const CrossInk& ink, double radius, double stress);
 
 }  // namespace bioprint

@@ -27,6 +27,9 @@ class NozzleFlow {
     static NozzleFlow from_velocity(const CrossInk& ink, double radius, double velocity_average);   // [m/s]
     static NozzleFlow from_pressure_gradient(const CrossInk& ink, double radius, double gradient);  // [Pa/m]
 
+    /// Driven by the rate of strain at the wall [1/s], ≥ 0: the one that needs no root.
+    static NozzleFlow from_wall_rate(const CrossInk& ink, double radius, double rate);
+
     [[nodiscard]] const CrossInk& ink() const { return ink_; }
     [[nodiscard]] double radius() const { return radius_; }                      ///< [m]
     [[nodiscard]] double flow_rate() const;                                      ///< [m³/s]

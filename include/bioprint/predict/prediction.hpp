@@ -1,0 +1,85 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bioprint/predict/case.hpp"
+
+/// What is answered. SI units; what does not exist is nullopt and a warning says why.
+namespace bioprint {
+
+struct NozzleAnswer {
+    double flow_rate;                      ///< [m³/s]
+    double pressure_gradient;              ///< [Pa/m]
+    double velocity_average;               ///< [m/s]
+    double velocity_max;                   ///< [m/s]
+    double shear_rate_max;                 ///< at the wall [1/s]
+    double shear_rate_average;             ///< over the cross-section [1/s]
+    double stress_max;                     ///< at the wall [Pa]
+    double stress_average;                 ///< over the cross-section [Pa]
+    double viscosity_wall;                 ///< [Pa s]
+    std::optional<double> pressure_drop;   ///< [Pa], with a length
+    std::optional<double> residence_time;  ///< length/u_avg [s], with a length and a flow
+};
+
+struct ExitAnswer {
+    double elongation_rate;      ///< [1/s]
+    double elongational_stress;  ///< [Pa]
+};
+
+enum class Place { nozzle, exit };
+enum class Model { bullet, roscoe_shear, roscoe_elongation, ellipsoid };
+
+struct CellStress {
+    double von_mises;               ///< [Pa]
+    std::array<double, 3> elastic;  ///< principal deviatoric stresses [Pa]
+    double viscous;                 ///< [Pa]
+};
+
+/// One cell at one place by one model. The ellipsoid is carried in time: its entry is the moment of its
+/// largest stress.
+struct CellAnswer {
+    Place place;
+    Model model;
+    double offset;  ///< [m]
+    double offset_in_cell_radii;
+    double fluid_stress;  ///< σ_f, undisturbed, where the cell's centre is [Pa]
+    double stress_ratio;  ///< σ_f/μ
+    std::optional<std::array<double, 3>> stretch;
+    std::optional<double> angle;      ///< [rad]
+    std::optional<double> frequency;  ///< of tank treading [1/s]
+    std::optional<CellStress> stress;
+    std::optional<double> relaxation_time;  ///< in the strand [s]; exit only
+};
+
+struct RadialProfile {
+    std::vector<double> r;           ///< [m]
+    std::vector<double> velocity;    ///< [m/s]
+    std::vector<double> shear_rate;  ///< [1/s]
+    std::vector<double> viscosity;   ///< [Pa s]
+    std::vector<double> stress;      ///< [Pa]
+};
+
+/// A result that left the range in which it was checked, or a value that looks like a slip.
+struct Warning {
+    std::string code;  ///< stable, snake_case
+    std::string message;
+};
+
+struct Prediction {
+    Case question;  ///< with `positions` filled in, as lengths
+    NozzleAnswer nozzle;
+    ExitAnswer exit;
+    std::vector<CellAnswer> cells;  ///< by position, nozzle before exit
+    std::optional<RadialProfile> profile;
+    std::vector<Warning> warnings;
+};
+
+/// Answers a case: flow, exit, and each cell's stress and strain.
+/// @throws UsageError    the case is not sound (`problems_of`)
+/// @throws NoSteadyFlow  the ink cannot bear the load
+Prediction predict(const Case& question);
+
+}  // namespace bioprint

@@ -1,0 +1,343 @@
+#include "bioprint/cell/axis_passage.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "bioprint/errors.hpp"
+#include "cell/checks.hpp"
+#include "cell/spheroid.hpp"
+#include "cell/thinning_response.hpp"
+#include "numerics/dormand_prince.hpp"
+#include "numerics/rosenbrock.hpp"
+
+// State over z: L = ln α1; X1, X3, the quadratic displacement inside the cell in units of its radius,
+//
+//   u_z = A z² + B ρ²,  u_ρ = −A ρ z,   X1 = A + 2B (surface harmonic 1),  X3 = 2A − B (harmonic 3);
+//
+// and the time. Outside, a displacement rate Ẋ in an ambient quadratic flow x exerts (Lamb's solution, no net
+// force)
+//
+//   (2/3 + λ) η Ẋ1 = (5/3) η x1 − μ X1          (19/16 + λ) η Ẋ3 = (35/16) η x3 − μ X3
+
+namespace bioprint {
+namespace {
+
+/// Where the inner iteration takes its last step, relative.
+constexpr double close_enough = 1e-4;
+
+using State = OdeState<4>;
+enum Component : std::size_t { log_stretch, mode1, mode3, elapsed };
+
+/// Positive halves of Gauss rules on [−1, 1].
+constexpr std::array<double, 3> node{0.23861918608319691, 0.66120938646626451, 0.93246951420315203};
+constexpr std::array<double, 3> weight{0.46791393457269105, 0.36076157304813861, 0.17132449237917035};
+constexpr std::array<double, 2> short_node{0.33998104358485626, 0.86113631159405258};
+constexpr std::array<double, 2> short_weight{0.65214515486254614, 0.34785484513745386};
+
+/// The ink around the cell, averaged over its volume.
+struct Surroundings {
+    double velocity;  ///< of the cell
+    double elongation;
+    double viscosity;
+    double x1;  ///< quadratic flow, times viscosity and cell radius [Pa]
+    double x3;
+};
+
+class Passage {
+  public:
+    Passage(FunctionRef<AxisFlow(double)> flow, const CrossInk& ink, const AxisCell& cell,
+            const AxisEffects& effects)
+        : flow_(flow), ink_(ink), cell_(cell), effects_(effects), thinning_(ink.alpha, ink.time_constant) {}
+
+    [[nodiscard]] Surroundings surroundings(double z) const {
+        const double a = cell_.radius;
+        const AxisFlow here = flow_(z);
+        const double local = viscosity(ink_, rate(here.elongation));
+        double elongation = here.elongation;
+        if (effects_.volume_average) elongation = average_elongation(z);
+        const double radial = effects_.quadratic_flow ? here.radial / local : 0.0;
+        // Mean square over the cell's volume; the shear 2 U2 ρ has ⟨ρ²⟩ = (2/5) a².
+        const double square = 3.0 * elongation * elongation + 1.6 * a * a * radial * radial;
+        const double eta = viscosity(ink_, std::sqrt(square));
+        const double slip = effects_.quadratic_flow ? a * a / 6.0 * (2.0 * here.axial + 4.0 * radial) : 0.0;
+        const double axial = effects_.quadratic_flow ? eta * here.axial * a : 0.0;
+        const double across = effects_.quadratic_flow ? here.radial * a : 0.0;
+        return {.velocity = std::max(here.velocity + slip, 1e-3 * here.velocity),
+                .elongation = elongation,
+                .viscosity = eta,
+                .x1 = axial + 2.0 * across,
+                .x3 = 2.0 * axial - across};
+    }
+
+    State derivative(double z, const State& y) {
+        const Surroundings s = surroundings(z);
+        const double inside = inner_elongation(s, y[log_stretch]);
+        const double mu = cell_.shear_modulus;
+        const double lambda = cell_.viscosity_ratio;
+        const double per_length = 1.0 / s.velocity;
+        const double rate_over_stress = per_length / s.viscosity;
+        return {inside * per_length,
+                rate_over_stress * (5.0 / 3.0 * s.x1 - mu * y[mode1]) / (2.0 / 3.0 + lambda),
+                rate_over_stress * (35.0 / 16.0 * s.x3 - mu * y[mode3]) / (19.0 / 16.0 + lambda), per_length};
+    }
+
+    /// The state a long nozzle leaves: round, its quadratic modes steady.
+    [[nodiscard]] State start(double z) const {
+        const Surroundings s = surroundings(z);
+        const double mu = cell_.shear_modulus;
+        return {0.0, 5.0 / 3.0 * s.x1 / mu, 35.0 / 16.0 * s.x3 / mu, 0.0};
+    }
+
+    [[nodiscard]] AxisCellState state(double z, const State& y) const {
+        const AxisFlow here = flow_(z);
+        const double centre = rate(here.elongation);
+        return {.position = z,
+                .time = y[elapsed],
+                .axial_stretch = std::exp(y[log_stretch]),
+                .radial_stretch = std::exp(-0.5 * y[log_stretch]),
+                .von_mises = von_mises(y),
+                .fluid_stress = viscosity(ink_, centre) * centre,
+                .stress_exposure = 0.0};
+    }
+
+    /// Volume average of |uniform + linear| stress. In a slice of the ball at height z, ρ² is distributed
+    /// evenly and the square of the local stress is linear in it, so only the integral over z is left to the
+    /// quadrature.
+    [[nodiscard]] double von_mises(const State& y) const {
+        const double mu = cell_.shear_modulus;
+        const double uniform = mu * stretch_difference(y[log_stretch]);
+        const double a = (y[mode1] + 2.0 * y[mode3]) / 5.0;
+        const double b = (2.0 * y[mode1] - y[mode3]) / 5.0;
+        const double axial = 6.0 * mu * a;
+        const double shear = std::numbers::sqrt3 * 2.0 * mu * (b - 0.5 * a);
+        double sum = 0.0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double breadth = 1.0 - node[i] * node[i];
+            for (const double side : {node[i], -node[i]}) {
+                const double inner = std::abs(uniform + axial * side);
+                const double outer = std::sqrt(inner * inner + shear * shear * breadth);
+                const double total = inner + outer;
+                const double mean =
+                    total > 0.0 ? 2.0 / 3.0 * (outer * outer + outer * inner + inner * inner) / total : 0.0;
+                sum += 0.75 * weight[i] * breadth * mean;
+            }
+        }
+        return sum;
+    }
+
+    /// What the integration will meet: the size of the deformation, and the relaxation times the way lasts.
+    struct Prospect {
+        double load;
+        double relaxations;
+    };
+    [[nodiscard]] Prospect prospect(const AxisWay& way) const {
+        constexpr int samples = 32;
+        const double part = (way.to - way.from) / samples;
+        double load = 0.0;
+        double relaxations = 0.0;
+        for (int i = 0; i <= samples; ++i) {
+            const AxisFlow f = flow_(way.from + part * i);
+            const double local = rate(f.elongation);
+            const double eta = viscosity(ink_, local);
+            load = std::max(load, eta * local + std::abs(f.radial) * cell_.radius);
+            relaxations +=
+                part / f.velocity * cell_.shear_modulus / (eta * (2.0 / 3.0 + cell_.viscosity_ratio));
+        }
+        return {.load = std::clamp(load / cell_.shear_modulus, 1e-30, 1.0), .relaxations = relaxations};
+    }
+
+  private:
+    static double rate(double elongation) { return std::numbers::sqrt3 * std::abs(elongation); }
+
+    /// α1² − 1/α1
+    static double stretch_difference(double x) { return 2.0 * std::exp(0.5 * x) * std::sinh(1.5 * x); }
+
+    /// ⟨∂u_z/∂z⟩ over the ball: (3/(2a³)) ∫ ξ [U(ξ) + (a²−ξ²) U2(ξ)] dξ, by parts from slices.
+    [[nodiscard]] double average_elongation(double z) const {
+        const double a = cell_.radius;
+        double sum = 0.0;
+        for (std::size_t i = 0; i < 2; ++i) {
+            const AxisFlow ahead = flow_(z + a * short_node[i]);
+            const AxisFlow behind = flow_(z - a * short_node[i]);
+            double difference = ahead.velocity - behind.velocity;
+            if (effects_.quadratic_flow) {
+                difference += a * a * (1.0 - short_node[i] * short_node[i]) *
+                              (ahead.radial / viscosity(ink_, rate(ahead.elongation)) -
+                               behind.radial / viscosity(ink_, rate(behind.elongation)));
+            }
+            sum += short_weight[i] * short_node[i] * difference;
+        }
+        return 1.5 / a * sum;
+    }
+
+    /// d from the balance of stresses: a fixed point in the two viscosities that depend on it, by secant
+    /// steps.
+    double inner_elongation(const Surroundings& s, double x) {
+        const double elastic = cell_.shear_modulus / 3.0 * stretch_difference(x);
+        const double k = 2.0 / (3.0 * spheroid_integral(x)) - 1.0;
+        const double lambda = cell_.viscosity_ratio;
+        const auto balance = [&](double around, double inside) {
+            return ((s.viscosity + around * k) * s.elongation - elastic) / (inside + around * k);
+        };
+        if (!effects_.disturbed_viscosity) return balance(s.viscosity, lambda * s.viscosity);
+        if (ink_.alpha == 0.0) return balance(s.viscosity, lambda * s.viscosity);
+        const auto next = [&](double d) {
+            const double c = thinning_(s.elongation, d - s.elongation);
+            around_ = ink_.eta_inf + (ink_.eta0 - ink_.eta_inf) * c;
+            inside_ = lambda * viscosity(ink_, rate(d));
+            return balance(around_, inside_);
+        };
+        // The viscosities of the moment before are the first guess.
+        double before =
+            around_ > 0.0 ? balance(around_, inside_) : balance(s.viscosity, lambda * s.viscosity);
+        double d = next(before);
+        double step_before = d - before;
+        const double scale = std::abs(d) + std::abs(s.elongation);
+        for (int i = 0; i < 40; ++i) {
+            const double step = next(d) - d;
+            const double slope = (step - step_before) / (d - before);
+            before = d;
+            step_before = step;
+            // A fixed point that attracts has slope < 0; a secant that says otherwise is not trusted. The
+            // error left is the step times that of the slope: two orders below.
+            d += slope < -0.05 ? -step / slope : step;
+            if (std::abs(step) <= close_enough * scale) break;
+        }
+        return d;
+    }
+
+    FunctionRef<AxisFlow(double)> flow_;
+    const CrossInk& ink_;
+    const AxisCell& cell_;
+    const AxisEffects& effects_;
+    ThinningResponse thinning_;
+    double around_ = 0.0;  ///< viscosity the disturbance met last
+    double inside_ = 0.0;  ///< and that inside the cell
+};
+
+void check(const AxisCell& cell, const AxisWay& way) {
+    require_positive(cell.radius, "cell radius");
+    require_positive(cell.shear_modulus, "shear modulus");
+    require_not_negative(cell.viscosity_ratio, "viscosity ratio");
+    if (!(way.to > way.from) || !std::isfinite(way.to - way.from)) {
+        throw UsageError("cell on the axis: the way must lead forward over a finite length");
+    }
+}
+
+/// Collects the extremes of a passage from its steps.
+class Recorder {
+  public:
+    Recorder(const Passage& passage, const AxisWay& way, const State& y,
+             FunctionRef<void(const AxisCellState&)> observe)
+        : passage_(passage), way_(way), observe_(observe), last_(passage.state(way.from, y)) {
+        result_ = {.start = last_,
+                   .peak = last_,
+                   .end = last_,
+                   .axial_stretch_min = last_.axial_stretch,
+                   .axial_stretch_max = last_.axial_stretch,
+                   .radial_stretch_max = last_.radial_stretch,
+                   .steps = 0};
+        observe_(last_);
+    }
+
+    bool operator()(const OdeStep<4>& step) {
+        constexpr int parts = 4;
+        for (int i = 1; i <= parts; ++i)
+            take(step, static_cast<double>(i - 1) / parts, static_cast<double>(i) / parts);
+        if (way_.observe_every <= 0.0) observe_(last_);
+        ++result_.steps;
+        return true;
+    }
+
+    AxisPassage finish() {
+        result_.end = last_;
+        return result_;
+    }
+
+  private:
+    void take(const OdeStep<4>& step, double from, double to) {
+        const double length = step.to - step.from;
+        const auto at = [&](double theta) {
+            return passage_.state(step.from + theta * length, step.at(theta));
+        };
+        const AxisCellState middle = at(0.5 * (from + to));
+        AxisCellState now = at(to);
+        // Simpson's rule; the three points also give the parabola on which a peak lies.
+        const double mean = (last_.von_mises + 4.0 * middle.von_mises + now.von_mises) / 6.0;
+        now.stress_exposure = last_.stress_exposure + mean * (now.time - last_.time);
+        extremes(now);
+        if (middle.von_mises > result_.peak.von_mises || now.von_mises > result_.peak.von_mises) {
+            const double bend = last_.von_mises - 2.0 * middle.von_mises + now.von_mises;
+            const double lean = now.von_mises - last_.von_mises;
+            const double offset =
+                bend < 0.0 ? std::clamp(-0.5 * lean / bend, -1.0, 1.0) : (lean > 0.0 ? 1.0 : -1.0);
+            AxisCellState top = at(0.5 * (from + to) + 0.5 * (to - from) * offset);
+            top.stress_exposure = last_.stress_exposure + mean * (top.time - last_.time);
+            if (top.von_mises > result_.peak.von_mises) result_.peak = top;
+            extremes(top);
+        }
+        report(step, from, to);
+        last_ = now;
+    }
+
+    void extremes(const AxisCellState& s) {
+        result_.axial_stretch_min = std::min(result_.axial_stretch_min, s.axial_stretch);
+        result_.axial_stretch_max = std::max(result_.axial_stretch_max, s.axial_stretch);
+        result_.radial_stretch_max = std::max(result_.radial_stretch_max, s.radial_stretch);
+    }
+
+    void report(const OdeStep<4>& step, double from, double to) {
+        if (way_.observe_every <= 0.0) return;
+        const double length = step.to - step.from;
+        while (true) {
+            const double z = std::min(way_.from + (observed_ + 1.0) * way_.observe_every, way_.to);
+            if (z > step.from + to * length * (1.0 + 1e-12) || ended_) return;
+            const double theta = std::clamp((z - step.from) / length, from, to);
+            AxisCellState s = passage_.state(z, step.at(theta));
+            s.stress_exposure =
+                last_.stress_exposure + 0.5 * (last_.von_mises + s.von_mises) * (s.time - last_.time);
+            observe_(s);
+            observed_ += 1.0;
+            ended_ = z >= way_.to;
+        }
+    }
+
+    const Passage& passage_;
+    const AxisWay& way_;
+    FunctionRef<void(const AxisCellState&)> observe_;
+    AxisCellState last_;
+    AxisPassage result_{};
+    double observed_ = 0.0;
+    bool ended_ = false;
+};
+
+}  // namespace
+
+AxisPassage carry_along_axis(FunctionRef<AxisFlow(double)> flow, const CrossInk& ink, const AxisCell& cell,
+                             const AxisWay& way, const AxisEffects& effects,
+                             FunctionRef<void(const AxisCellState&)> observe) {
+    check(cell, way);
+    Passage passage(flow, ink, cell, effects);
+    const State start = passage.start(way.from);
+    const auto [load, relaxations] = passage.prospect(way);
+    const double duration = (way.to - way.from) / flow(way.from).velocity;
+    const State scale{load, load, load, duration};
+    Recorder recorder(passage, way, start, observe);
+    const auto f = [&](double z, const State& y) { return passage.derivative(z, y); };
+    const OdeOptions options{.tolerance = way.tolerance, .first_step = 0.01 * (way.to - way.from)};
+    // An explicit step cannot be much longer than the relaxation time.
+    const bool stiff = relaxations > 1000.0;
+    const auto done = stiff ? rosenbrock<4>(f, way.from, way.to, start, scale, options, recorder)
+                            : dormand_prince<4>(f, way.from, way.to, start, scale, options, recorder);
+    if (!done.finished) throw NotConverged("cell on the axis: the integration in time gave up");
+    return recorder.finish();
+}
+
+AxisPassage carry_along_axis(FunctionRef<AxisFlow(double)> flow, const CrossInk& ink, const AxisCell& cell,
+                             const AxisWay& way, const AxisEffects& effects) {
+    return carry_along_axis(flow, ink, cell, way, effects, [](const AxisCellState&) {});
+}
+
+}  // namespace bioprint

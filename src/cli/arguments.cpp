@@ -1,0 +1,245 @@
+#include "cli/arguments.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+
+#include "bioprint/errors.hpp"
+#include "bioprint/io/answer.hpp"
+
+namespace bioprint {
+namespace {
+
+constexpr const char* description =
+    "Predicts the stress and strain of cells during extrusion bioprinting: give nozzle, flow and ink.\n"
+    "Without options it answers for the reference case (50 µm, 5 mm/s, alginate, cell of 8 µm and 1 kPa).";
+
+constexpr const char* footer = R"(
+Quantities: a number alone is SI; units convert: 50um, 141uL/h, 5mm/s, 10Pa.s, 1kPa, 30psi.
+  A list 0,0.3,0.75 or a range 0:0.75:0.15 makes a sweep, the last option fastest.
+Examples:
+  bioprint-predict --radius 50um --flowrate 141uL/h --alpha 0.75
+  bioprint-predict --needle 25G --tip steel --flowrate 20uL/min --ink alginate-2-25C --json
+  bioprint-predict --batch runs.csv --output answers.csv
+  bioprint-predict --alpha 0.75 --simulate=exit --fidelity draft
+Exit status: 0 answered, 1 a bug, 2 the call is wrong, 3 no steady flow, 4 a file could not be
+  read or written, 5 a simulation did not come to its end, 6 some rows of a batch failed, 130 interrupted.
+The full reference: man bioprint-predict)";
+
+struct Raw {
+    std::vector<std::string> values[key_count];
+    std::string batch;
+    std::string format;
+    std::string output;
+    std::string list;
+    std::string jobs;
+    std::vector<std::string> paths;
+    std::string scene;
+    std::string fidelity;
+    std::string resolution;
+    bool json = false;
+};
+
+std::string option_names(const KeyInfo& info) {
+    std::string names = "--" + std::string(info.option);
+    if (!info.short_name.empty()) names = "-" + std::string(info.short_name) + "," + names;
+    return names;
+}
+
+void add_prediction_options(CLI::App& app, Raw& raw) {
+    for (const KeyInfo& info : key_table()) {
+        auto* option = app.add_option(option_names(info), raw.values[static_cast<std::size_t>(info.key)],
+                                      std::string(info.help));
+        option->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)->group("The question");
+        option->type_name(info.dimension && info.key != Key::profile ? "QUANTITY"
+                          : info.key == Key::profile                 ? "N"
+                                                                     : "TEXT");
+    }
+}
+
+void add_answer_options(CLI::App& app, Raw& raw, Arguments& arguments) {
+    const std::string group = "The answer";
+    app.add_option("--batch", raw.batch, "one question a row: a CSV or JSON Lines file, - for standard input")
+        ->type_name("FILE")
+        ->group(group);
+    app.add_option("-f,--format", raw.format,
+                   "table, json, jsonl or csv (default table; a batch answers in kind)")
+        ->type_name("FORMAT")
+        ->group(group);
+    app.add_flag("--json", raw.json, "the same as --format json")->group(group);
+    app.add_option("--get", raw.paths, "print this value alone, such as nozzle.stress_max; may be repeated")
+        ->type_name("PATH")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->group(group);
+    app.add_option("-o,--output", raw.output, "write there, whole or not at all")
+        ->type_name("FILE")
+        ->group(group);
+    app.add_option("--list", raw.list, "show the presets: inks, cells or nozzles")
+        ->type_name("KIND")
+        ->group(group);
+    app.add_option("-j,--jobs", raw.jobs, "threads of a batch or sweep (default all cores)")
+        ->type_name("N")
+        ->group(group);
+    app.add_flag("-q,--quiet", arguments.quiet, "no notes, no remarks")->group(group);
+    app.add_flag("-v,--verbose", arguments.verbose, "add the reference quadrature's error estimates")
+        ->group(group);
+    app.add_flag("--no-color", arguments.no_color, "no colour, as does NO_COLOR")->group(group);
+}
+
+void add_simulation_options(CLI::App& app, Raw& raw) {
+    const std::string group = "The simulation";
+    app.add_flag("--simulate{auto}", raw.scene,
+                 "verify by simulation; --simulate=SCENE with exit-flow, channel, exit or auto")
+        ->group(group);
+    app.add_option("--fidelity", raw.fidelity, "draft, standard or fine: 3, 6 or 12 nodes a cell radius")
+        ->type_name("WORD")
+        ->group(group);
+    app.add_option("--resolution", raw.resolution, "nodes a cell radius, in place of --fidelity")
+        ->type_name("N")
+        ->group(group);
+}
+
+std::optional<Format> parse_format(const std::string& text) {
+    if (text == "table") return Format::table;
+    if (text == "json") return Format::json;
+    if (text == "jsonl") return Format::jsonl;
+    if (text == "csv") return Format::csv;
+    return std::nullopt;
+}
+
+std::optional<unsigned> parse_jobs(const std::string& text) {
+    const bool digits = !text.empty() && text.size() <= 4 &&
+                        std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+    const int jobs = digits ? std::stoi(text) : 0;
+    return jobs > 0 ? std::optional(static_cast<unsigned>(jobs)) : std::nullopt;
+}
+
+/// The prediction's options in the order typed, so that the last one is the fastest of a sweep.
+void collect_question(const CLI::App& app, const Raw& raw, Arguments& arguments, Problems& problems) {
+    std::vector<Key> order;
+    for (const CLI::Option* option : app.parse_order()) {
+        const std::optional<Key> key = find_key(option->get_name());
+        if (key && std::find(order.begin(), order.end(), *key) == order.end()) order.push_back(*key);
+    }
+    for (const Key key : order) {
+        for (const std::string& text : raw.values[static_cast<std::size_t>(key)]) {
+            problems.collect(
+                [&] { arguments.sweep.add(key, text, "--" + std::string(info_of(key).option)); });
+            arguments.given.emplace_back(key, text);
+        }
+    }
+}
+
+void collect_answer(const Raw& raw, Arguments& arguments, Problems& problems) {
+    if (!raw.batch.empty()) arguments.batch = raw.batch;
+    if (!raw.output.empty()) arguments.output = raw.output;
+    if (!raw.format.empty()) {
+        arguments.format = parse_format(raw.format);
+        if (!arguments.format) {
+            problems.add("--format: got '" + raw.format + "'; it takes table, json, jsonl or csv",
+                         "--format");
+        } else if (raw.json && arguments.format != Format::json) {
+            problems.add("--json: cannot be combined with --format " + raw.format + "; give one of the two",
+                         "--json");
+        }
+    } else if (raw.json) {
+        arguments.format = Format::json;
+    }
+    arguments.paths = raw.paths;
+    if (!raw.list.empty()) {
+        if (raw.list == "inks" || raw.list == "cells" || raw.list == "nozzles") {
+            arguments.list = raw.list;
+        } else {
+            problems.add("--list: got '" + raw.list + "'; it takes inks, cells or nozzles", "--list");
+        }
+    }
+    if (!raw.jobs.empty()) {
+        arguments.jobs = parse_jobs(raw.jobs);
+        if (!arguments.jobs) {
+            problems.add("--jobs: got '" + raw.jobs + "'; it takes a number of threads from 1 to 9999",
+                         "--jobs");
+        }
+    }
+    if (arguments.batch && !arguments.sweep.swept().empty()) {
+        const std::string name = "--" + std::string(info_of(arguments.sweep.swept().front()).option);
+        problems.add(
+            name + ": a list cannot be combined with --batch; give one value, or put the values in rows",
+            name);
+    }
+}
+
+void collect_simulation(const Raw& raw, Arguments& arguments, Problems& problems) {
+    SimulationQuestion question;
+    if (!raw.fidelity.empty()) {
+        if (raw.fidelity == "draft") {
+            question.fidelity = Fidelity::draft;
+        } else if (raw.fidelity == "fine") {
+            question.fidelity = Fidelity::fine;
+        } else if (raw.fidelity != "standard") {
+            problems.add("--fidelity: got '" + raw.fidelity + "'; it takes draft, standard or fine",
+                         "--fidelity");
+        }
+    }
+    if (!raw.resolution.empty()) {
+        problems.collect([&] {
+            question.resolution = parse_quantity(raw.resolution, Dimension::dimensionless, "--resolution");
+            if (*question.resolution < 3.0 || *question.resolution > 48.0) {
+                throw UsageError("--resolution: takes 3 to 48 nodes a cell radius", "--resolution");
+            }
+        });
+    }
+    if (raw.scene.empty()) {
+        if (!raw.fidelity.empty() || !raw.resolution.empty()) {
+            problems.add("--fidelity and --resolution belong to a simulation; add --simulate", "--fidelity");
+        }
+        return;
+    }
+    question.scene = raw.scene;
+    arguments.simulation = question;
+    if (arguments.batch || !arguments.sweep.swept().empty()) {
+        problems.add("--simulate: one question at a time; leave out --batch and lists", "--simulate");
+    }
+}
+
+}  // namespace
+
+std::optional<Arguments> parse_arguments(int argc, const char* const* argv) {
+    CLI::App app(description, std::string(program_name));
+    app.set_help_flag("-h,--help", "this text");
+    app.set_version_flag("--version", std::string(program_name) + " " + std::string(program_version()));
+    app.footer(footer);
+    app.allow_extras();
+    app.get_formatter()->column_width(34);
+
+    Arguments arguments;
+    Raw raw;
+    add_prediction_options(app, raw);
+    add_answer_options(app, raw, arguments);
+    add_simulation_options(app, raw);
+    Problems problems;
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::CallForHelp&) {
+        std::cout << app.help();
+        return std::nullopt;
+    } catch (const CLI::CallForVersion&) {
+        std::cout << app.version() << '\n';
+        return std::nullopt;
+    } catch (const CLI::ParseError& e) {
+        problems.add(e.what());
+    }
+    for (const std::string& extra : app.remaining()) {
+        problems.add("'" + extra +
+                         "': " + (extra.starts_with('-') ? "no such option" : "an argument too many") +
+                         "; see bioprint-predict --help",
+                     extra);
+    }
+    collect_question(app, raw, arguments, problems);
+    collect_answer(raw, arguments, problems);
+    collect_simulation(raw, arguments, problems);
+    problems.raise();
+    return arguments;
+}
+
+}  // namespace bioprint

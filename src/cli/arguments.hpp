@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "io/run.hpp"
+#include "io/settings.hpp"
+#include "io/simulation_answer.hpp"
+
+/// What was typed, checked but not yet computed.
+namespace bioprint {
+
+struct Arguments {
+    Sweep sweep;
+    std::vector<std::pair<Key, std::string>> given;  ///< the prediction's options, in the order typed
+    std::optional<std::string> batch;
+    std::optional<Format> format;
+    std::vector<std::string> paths;
+    std::optional<std::string> output;
+    std::optional<std::string> list;
+    std::optional<unsigned> jobs;
+    std::optional<SimulationQuestion> simulation;
+    bool quiet = false;
+    bool verbose = false;
+    bool no_color = false;
+};
+
+/// Parses the command line. `--help` and `--version` are printed and give nothing.
+/// @throws UsageError  every problem of the call, one a line
+std::optional<Arguments> parse_arguments(int argc, const char* const* argv);
+
+}  // namespace bioprint

@@ -1,0 +1,171 @@
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "bioprint/errors.hpp"
+#include "bioprint/io/answer.hpp"
+#include "cli/arguments.hpp"
+#include "io/batch.hpp"
+#include "io/preset_list.hpp"
+#include "io/reference_report.hpp"
+#include "io/whole_file.hpp"
+
+// parse → validate → run → print
+
+namespace {
+
+using namespace bioprint;
+
+constexpr int status_interrupted = 130;
+constexpr int status_some_rows_failed = 6;
+
+std::atomic<bool> interrupted{false};
+
+/// The first Ctrl-C lets the rows at hand be finished; the second one ends the program.
+void on_interrupt(int) {
+    if (interrupted.exchange(true)) std::_Exit(status_interrupted);
+}
+
+void say(std::string_view text) {
+    std::size_t begin = 0;
+    while (begin < text.size()) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        std::cerr << program_name << ": " << text.substr(begin, end - begin) << '\n';
+        begin = end + 1;
+    }
+}
+
+RunOptions run_options(const Arguments& arguments) {
+    const bool terminal = !arguments.output && isatty(STDOUT_FILENO) != 0;
+    const bool colorless = arguments.no_color || std::getenv("NO_COLOR") != nullptr;
+    return {.format = arguments.format.value_or(Format::table),
+            .paths = arguments.paths,
+            .style = {.color = terminal && !colorless, .quiet = arguments.quiet},
+            .jobs = arguments.jobs.value_or(std::max(1U, std::thread::hardware_concurrency())),
+            .interrupted = &interrupted};
+}
+
+int status_of(const RunResult& result, bool to_file) {
+    if (result.interrupted) {
+        say("interrupted after " + std::to_string(result.rows) + " rows" +
+            (to_file ? "; the output file was not written" : ""));
+        return status_interrupted;
+    }
+    return result.refused > 0 ? status_some_rows_failed : 0;
+}
+
+/// One line on a terminal that tells how far the simulation is, and how long it will still take.
+class ProgressLine {
+  public:
+    explicit ProgressLine(bool shown) : shown_(shown), begin_(std::chrono::steady_clock::now()) {}
+    ~ProgressLine() {
+        if (shown_) std::cerr << "\r\033[K" << std::flush;
+    }
+    ProgressLine(const ProgressLine&) = delete;
+    ProgressLine& operator=(const ProgressLine&) = delete;
+
+    void show(const SimulationProgress& progress) {
+        if (!shown_) return;
+        const auto now = std::chrono::steady_clock::now();
+        if (progress.stage != stage_) {
+            stage_ = progress.stage;
+            begin_ = now;
+        } else if (now - last_ < std::chrono::milliseconds(100)) {
+            return;
+        }
+        last_ = now;
+        const std::chrono::duration<double> elapsed = now - begin_;
+        std::cerr << "\r\033[K" << program_name << ": " << stage_ << " " << std::lround(100.0 * progress.done)
+                  << " %";
+        if (progress.done > 0.05) {
+            std::cerr << ", " << std::lround(elapsed.count() * (1.0 / progress.done - 1.0)) << " s left";
+        }
+        std::cerr << std::flush;
+    }
+
+  private:
+    bool shown_;
+    std::string_view stage_;
+    std::chrono::steady_clock::time_point begin_;
+    std::chrono::steady_clock::time_point last_;
+};
+
+void run_simulation(const Arguments& arguments, const RunOptions& options, const Sink& sink) {
+    ProgressLine line(!arguments.quiet && isatty(STDERR_FILENO) != 0);
+    std::mutex lock;  // two resolutions may run at once
+    const SimulationOptions simulation{.threads = static_cast<int>(std::min(options.jobs, 2U)),
+                                       .progress =
+                                           [&](const SimulationProgress& progress) {
+                                               const std::lock_guard guard(lock);
+                                               line.show(progress);
+                                           },
+                                       .cancel = &interrupted};
+    answer_with_simulation(arguments.sweep.fixed(), *arguments.simulation, options, simulation, sink);
+}
+
+int run(const Arguments& arguments) {
+    WholeFile output(arguments.output.value_or("-"));
+    const Sink sink = [&](std::string_view text) { output.write(text); };
+    const Sink notice = [&](std::string_view text) {
+        if (!arguments.quiet) say(text);
+    };
+    if (arguments.list) {
+        sink(preset_list(*arguments.list));
+        output.commit();
+        return 0;
+    }
+    const RunOptions options = run_options(arguments);
+    if (arguments.simulation) {
+        try {
+            run_simulation(arguments, options, sink);
+        } catch (const SimulationIncomplete& e) {
+            output.commit();
+            say(e.what());
+            return interrupted ? status_interrupted : exit_status_of_current();
+        }
+        output.commit();
+        return 0;
+    }
+    RunResult result;
+    if (arguments.batch) {
+        const BatchInput input{.file = *arguments.batch, .defaults = arguments.sweep.fixed()};
+        const Sink row_sink = [&](std::string_view text) {
+            output.write(text);
+            output.flush();
+        };
+        result = run_batch(input, arguments.format, options, row_sink, notice);
+    } else {
+        result = run_sweep(arguments.sweep, options, sink, notice);
+        if (arguments.verbose && arguments.sweep.swept().empty())
+            say(reference_report(arguments.sweep.fixed()));
+    }
+    const bool to_file = arguments.output.has_value();
+    if (!(result.interrupted && to_file)) output.commit();
+    return status_of(result, to_file);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    std::signal(SIGINT, on_interrupt);
+    try {
+        const std::optional<Arguments> arguments = parse_arguments(argc, argv);
+        return arguments ? run(*arguments) : 0;
+    } catch (const Error& e) {
+        say(e.what());
+        return exit_status_of_current();
+    } catch (const std::exception& e) {
+        say(std::string("internal error: ") + e.what() + "; please report it with the call that made it");
+        return 1;
+    }
+}

@@ -1,0 +1,93 @@
+#include "io/batch.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "bioprint/errors.hpp"
+#include "io/byte_source.hpp"
+#include "io/csv_batch.hpp"
+#include "io/json_lines.hpp"
+#include "io/json_question.hpp"
+#include "io/parallel.hpp"
+#include "io/row_answer.hpp"
+
+namespace bioprint {
+namespace {
+
+/// A source whose first bytes were looked at.
+class Peeked : public ByteSource {
+  public:
+    explicit Peeked(ByteSource& source) : source_(source) {
+        size_ = source_.read(head_.data(), head_.size());
+    }
+    [[nodiscard]] std::string_view head() const { return {head_.data(), size_}; }
+    std::size_t read(char* into, std::size_t size) override {
+        if (used_ == size_) return source_.read(into, size);
+        const std::size_t count = std::min(size, size_ - used_);
+        std::copy_n(head_.data() + used_, count, into);
+        used_ += count;
+        return count;
+    }
+
+  private:
+    ByteSource& source_;
+    std::array<char, 4096> head_{};
+    std::size_t size_ = 0;
+    std::size_t used_ = 0;
+};
+
+bool starts_as_json(std::string_view head) {
+    if (head.starts_with("\xEF\xBB\xBF")) head.remove_prefix(3);
+    const std::size_t first = head.find_first_not_of(" \t\r\n");
+    return first != std::string_view::npos && head[first] == '{';
+}
+
+RunResult run_json_lines(ByteSource& source, const Settings& defaults, const RunOptions& options,
+                         const Sink& sink) {
+    JsonLinesReader reader(source);
+    const RowWriter writer(options, 3 * cell_entries(defaults));
+    RunResult result;
+    sink(writer.head());
+    std::vector<JsonLine> lines;
+    std::vector<RowText> texts;
+    bool more = true;
+    while (more && !result.interrupted) {
+        lines.clear();
+        while (lines.size() < chunk_rows && (more = reader.next())) lines.push_back(std::move(reader.line()));
+        texts.assign(lines.size(), {});
+        for_each_index(lines.size(), options.jobs, [&](std::size_t i) {
+            texts[i] = writer.answer([&] {
+                if (!lines[i].error.empty()) throw UsageError(lines[i].error);
+                return settings_of(lines[i].value).over(defaults);
+            });
+        });
+        for (RowText& text : texts) {
+            sink(writer.placed(text.text, result.rows));
+            ++result.rows;
+            result.refused += text.refused ? 1 : 0;
+        }
+        result.interrupted = options.interrupted && *options.interrupted;
+    }
+    sink(writer.tail());
+    return result;
+}
+
+}  // namespace
+
+RunResult run_batch(const BatchInput& input, std::optional<Format> format, const RunOptions& options,
+                    const Sink& sink, const Sink& notice) {
+    const std::unique_ptr<ByteSource> source = open_bytes(input.file);
+    Peeked peeked(*source);
+    RunOptions chosen = options;
+    if (format == Format::table) {
+        throw UsageError("--format: a batch is answered as csv, jsonl or json, not as a table", "--format");
+    }
+    if (starts_as_json(peeked.head())) {
+        chosen.format = format.value_or(Format::jsonl);
+        return run_json_lines(peeked, input.defaults, chosen, sink);
+    }
+    chosen.format = format.value_or(Format::csv);
+    return run_csv_batch(peeked, input, chosen, sink, notice);
+}
+
+}  // namespace bioprint

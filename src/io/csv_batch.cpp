@@ -1,0 +1,302 @@
+#include "io/csv_batch.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+#include "bioprint/errors.hpp"
+#include "io/csv.hpp"
+#include "io/parallel.hpp"
+#include "io/row_answer.hpp"
+
+namespace bioprint {
+namespace {
+
+/// A column that asks something: "radius", "radius [um]", "flowrate (uL/h)".
+struct QuestionColumn {
+    std::size_t index;
+    Key key;
+    std::string origin;
+    std::string unit;  ///< for cells that are a number alone; empty: SI
+};
+
+struct HeaderName {
+    std::string_view name;
+    std::string_view unit;
+};
+
+std::string_view trimmed(std::string_view text) {
+    const std::size_t begin = text.find_first_not_of(" \t");
+    if (begin == std::string_view::npos) return {};
+    return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
+}
+
+HeaderName split_header(std::string_view header) {
+    header = trimmed(header);
+    const std::size_t open = header.find_first_of("[(");
+    if (open == std::string_view::npos || open == 0) return {header, {}};
+    const std::size_t close = header.find_first_of("])", open);
+    if (close == std::string_view::npos) return {header, {}};
+    return {trimmed(header.substr(0, open)), trimmed(header.substr(open + 1, close - open - 1))};
+}
+
+/// What a header means: which columns ask, which are the user's alone, and which are ours from an earlier
+/// run.
+class Layout {
+  public:
+    explicit Layout(const std::vector<std::string>& header) {
+        std::vector<std::size_t> ours;
+        for (std::size_t i = 0; i < header.size(); ++i) {
+            if (is_answer_header(header[i])) {
+                ours.push_back(i);
+            } else {
+                kept_.push_back(i);
+                add_question(i, header[i], false);
+            }
+        }
+        // Nothing but an answer: its input asks again.
+        if (questions_.empty()) {
+            for (const std::size_t i : ours) add_question(i, header[i], true);
+        }
+    }
+
+    [[nodiscard]] const std::vector<std::size_t>& kept() const { return kept_; }
+    [[nodiscard]] const std::vector<QuestionColumn>& questions() const { return questions_; }
+    [[nodiscard]] bool asks(Key key) const {
+        return std::any_of(questions_.begin(), questions_.end(), [&](const auto& q) { return q.key == key; });
+    }
+    [[nodiscard]] bool is_kept(std::size_t column) const {
+        return std::find(kept_.begin(), kept_.end(), column) != kept_.end();
+    }
+
+  private:
+    void add_question(std::size_t index, const std::string& header, bool as_input) {
+        const HeaderName parts = split_header(header);
+        if (as_input && !parts.name.starts_with("input.")) return;
+        const std::optional<Key> key = find_key(parts.name);
+        if (!key) return;
+        if (asks(*key)) {
+            throw UsageError("column '" + header + "': a second column asks the same; remove or rename one",
+                             header);
+        }
+        questions_.push_back({.index = index,
+                              .key = *key,
+                              .origin = "column '" + header + "'",
+                              .unit = info_of(*key).dimension ? std::string(parts.unit) : std::string{}});
+    }
+
+    std::vector<std::size_t> kept_;
+    std::vector<QuestionColumn> questions_;
+};
+
+/// A row on its way: the bytes to hand back, and what it asks.
+struct Row {
+    std::size_t line = 0;
+    bool blank = false;
+    bool open_quote = false;
+    std::string fault;
+    std::string kept;
+    std::string line_end;
+    std::vector<std::string> cells;  ///< by question column
+    std::string answer;
+    bool refused = false;
+};
+
+bool ends_as_number(std::string_view text) {
+    return !text.empty() && (std::isdigit(static_cast<unsigned char>(text.back())) != 0 ||
+                             text.back() == '.' || text.back() == ',');
+}
+
+class CsvBatch {
+  public:
+    CsvBatch(ByteSource& source, const BatchInput& input, const RunOptions& options)
+        : reader_(source, input.file == "-" ? "standard input" : input.file),
+          layout_(reader_.header()),
+          input_(input),
+          options_(options) {
+        if (layout_.questions().empty()) {
+            throw UsageError(input.file +
+                             ": no column is understood; name at least one after an option, such as "
+                             "radius, flowrate, alpha, or a path such as input.ink.eta0");
+        }
+    }
+
+    RunResult run(const Sink& sink, const Sink& notice) {
+        remark_on_columns(notice);
+        bool more = read_chunk();
+        columns_.emplace(entries());
+        sink(head());
+        RunResult result;
+        while (!rows_.empty() && !result.interrupted) {
+            for_each_index(rows_.size(), options_.jobs, [&](std::size_t i) { answer(rows_[i]); });
+            for (Row& row : rows_) {
+                if (!row.blank) {
+                    result.refused += row.refused ? 1 : 0;
+                    if (row.open_quote) notice(row.fault);
+                    sink(placed(row.answer, result.rows));
+                    ++result.rows;
+                } else if (in_kind()) {
+                    sink(row.kept + row.line_end);
+                }
+            }
+            result.interrupted = options_.interrupted && *options_.interrupted;
+            rows_.clear();
+            if (more) more = read_chunk();
+        }
+        if (as_array()) sink("\n]\n");
+        return result;
+    }
+
+  private:
+    [[nodiscard]] bool in_kind() const { return options_.paths.empty() && options_.format == Format::csv; }
+    [[nodiscard]] bool as_array() const { return options_.paths.empty() && options_.format == Format::json; }
+
+    [[nodiscard]] std::string placed(const std::string& text, std::size_t index) const {
+        return as_array() && index > 0 ? ",\n" + text : text;
+    }
+
+    void remark_on_columns(const Sink& notice) const {
+        std::string unknown;
+        for (const std::size_t i : layout_.kept()) {
+            const auto& questions = layout_.questions();
+            const bool asks =
+                std::any_of(questions.begin(), questions.end(), [&](const auto& q) { return q.index == i; });
+            if (!asks) unknown += (unknown.empty() ? "'" : ", '") + reader_.header()[i] + "'";
+        }
+        if (!unknown.empty()) notice("columns handed back without a meaning to this program: " + unknown);
+    }
+
+    /// Entries of `cells` to provide columns for. Where rows choose their positions, the first row sets how
+    /// many.
+    [[nodiscard]] std::size_t entries() const {
+        if (!layout_.asks(Key::offset)) return cell_entries(input_.defaults);
+        for (const Row& row : rows_) {
+            try {
+                const Settings settings = settings_of_row(row);
+                if (settings.has(Key::offset)) return 3 * settings.at(Key::offset).positions.size();
+            } catch (const UsageError&) {
+                continue;
+            }
+        }
+        return cell_entries(input_.defaults);
+    }
+
+    [[nodiscard]] std::string head() const {
+        if (as_array()) return "[\n";
+        if (!in_kind()) return {};
+        CsvWriter writer(reader_.dialect());
+        for (const std::size_t i : layout_.kept()) writer.add_raw(reader_.raw_header()[i]);
+        for (const std::string& name : columns_->headers()) writer.add_text(name);
+        const std::string& end = reader_.header_line_end();
+        writer.end_row(end.empty() ? reader_.dialect().line_end : end);
+        return reader_.preamble() + writer.text();
+    }
+
+    /// Reads the next rows; false at the end of the file.
+    bool read_chunk() {
+        while (rows_.size() < chunk_rows) {
+            if (!reader_.next()) return false;
+            rows_.push_back(take(reader_.record()));
+        }
+        return true;
+    }
+
+    [[nodiscard]] Row take(const CsvRecord& record) const {
+        Row row{.line = record.line,
+                .blank = record.blank,
+                .open_quote = record.open_quote,
+                .fault = record.fault,
+                .kept = {},
+                .line_end = std::string(record.line_end),
+                .cells = {},
+                .answer = {}};
+        if (record.blank || record.open_quote) {
+            row.kept = record.raw;
+            return row;
+        }
+        const char separator = reader_.dialect().separator;
+        bool first = true;
+        for (std::size_t i = 0; i < record.raw_fields.size(); ++i) {
+            const bool extra = i >= reader_.header().size();
+            if (!extra && !layout_.is_kept(i)) continue;
+            if (!first) row.kept += separator;
+            row.kept += record.raw_fields[i];
+            first = false;
+        }
+        // A row that is too short is filled up, so that our columns stand under their names.
+        for (std::size_t i = record.raw_fields.size(); i < reader_.header().size(); ++i) {
+            if (layout_.is_kept(i)) row.kept += separator;
+        }
+        for (const QuestionColumn& q : layout_.questions()) {
+            row.cells.emplace_back(q.index < record.fields.size() ? record.fields[q.index]
+                                                                  : std::string_view{});
+        }
+        return row;
+    }
+
+    [[nodiscard]] Settings settings_of_row(const Row& row) const {
+        Settings settings;
+        Problems problems;
+        const NumberStyle style{.decimal_comma = reader_.dialect().decimal_comma};
+        for (std::size_t i = 0; i < row.cells.size(); ++i) {
+            const std::string_view cell = trimmed(row.cells[i]);
+            if (cell.empty()) continue;
+            const QuestionColumn& q = layout_.questions()[i];
+            problems.collect([&] {
+                if (!q.unit.empty() && ends_as_number(cell)) {
+                    settings.set(q.key, std::string(cell) + " " + q.unit, q.origin, style);
+                } else {
+                    settings.set(q.key, cell, q.origin, style);
+                }
+            });
+        }
+        problems.raise();
+        return settings.over(input_.defaults);
+    }
+
+    void answer(Row& row) const {
+        if (row.blank) return;
+        const RowAnswer result = answer_row([&] {
+            if (!row.fault.empty()) throw UsageError(row.fault);
+            Settings settings = settings_of_row(row);
+            if (layout_.asks(Key::offset) && cell_entries(settings) > columns_->cell_entries() && in_kind()) {
+                throw UsageError("line " + std::to_string(row.line) +
+                                 ": more positions than the first row has; put the longest list first");
+            }
+            return settings;
+        });
+        row.refused = result.refused;
+        if (!options_.paths.empty()) {
+            row.answer = values_line(result, options_.paths);
+        } else if (options_.format == Format::csv) {
+            row.answer = csv_line(row, result.object);
+        } else {
+            row.answer = result.object.dump();
+            if (options_.format == Format::jsonl) row.answer += '\n';
+        }
+    }
+
+    [[nodiscard]] std::string csv_line(const Row& row, const Json& object) const {
+        if (row.open_quote) return row.kept + row.line_end;
+        CsvWriter writer(reader_.dialect());
+        if (!layout_.kept().empty()) writer.add_raw(row.kept);
+        columns_->write(object, writer);
+        writer.end_row(row.line_end);
+        return writer.text();
+    }
+
+    CsvReader reader_;
+    Layout layout_;
+    const BatchInput& input_;
+    const RunOptions& options_;
+    std::optional<CsvColumns> columns_;
+    std::vector<Row> rows_;
+};
+
+}  // namespace
+
+RunResult run_csv_batch(ByteSource& source, const BatchInput& input, const RunOptions& options,
+                        const Sink& sink, const Sink& notice) {
+    return CsvBatch(source, input, options).run(sink, notice);
+}
+
+}  // namespace bioprint

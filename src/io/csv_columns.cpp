@@ -1,0 +1,142 @@
+#include "io/csv_columns.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace bioprint {
+namespace {
+
+constexpr std::array<std::string_view, 25> leading_paths = {"input.radius",
+                                                            "input.length",
+                                                            "input.flow_rate",
+                                                            "input.ink.name",
+                                                            "input.ink.eta0",
+                                                            "input.ink.eta_inf",
+                                                            "input.ink.time_constant",
+                                                            "input.ink.alpha",
+                                                            "input.cell.name",
+                                                            "input.cell.radius",
+                                                            "input.cell.shear_modulus",
+                                                            "input.cell.poisson_ratio",
+                                                            "input.cell.viscosity_ratio",
+                                                            "nozzle.flow_rate",
+                                                            "nozzle.pressure_gradient",
+                                                            "nozzle.velocity_average",
+                                                            "nozzle.velocity_max",
+                                                            "nozzle.shear_rate_max",
+                                                            "nozzle.shear_rate_average",
+                                                            "nozzle.stress_max",
+                                                            "nozzle.stress_average",
+                                                            "nozzle.viscosity_wall",
+                                                            "nozzle.pressure_drop",
+                                                            "nozzle.residence_time",
+                                                            "exit.elongation_rate"};
+constexpr std::array<std::string_view, 17> cell_paths = {"place",
+                                                         "model",
+                                                         "offset",
+                                                         "offset_in_cell_radii",
+                                                         "fluid_stress",
+                                                         "stress_ratio",
+                                                         "stretch.0",
+                                                         "stretch.1",
+                                                         "stretch.2",
+                                                         "angle",
+                                                         "frequency",
+                                                         "stress.von_mises",
+                                                         "stress.elastic.0",
+                                                         "stress.elastic.1",
+                                                         "stress.elastic.2",
+                                                         "stress.viscous",
+                                                         "relaxation_time"};
+constexpr std::array<std::string_view, 4> trailing_paths = {"warnings", "error.code", "error.message",
+                                                            "error.option"};
+
+std::string with_unit(std::string_view path) {
+    const std::string_view unit = unit_of(path);
+    return unit.empty() ? std::string(path) : std::string(path) + " [" + std::string(unit) + "]";
+}
+
+bool is_index(std::string_view name) {
+    return !name.empty() &&
+           std::all_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+const Json* find(const Json& answer, const std::vector<CsvColumns::Step>& path) {
+    const Json* place = &answer;
+    for (const CsvColumns::Step& step : path) {
+        if (place->is_object()) {
+            const auto found = place->find(step.name);
+            if (found == place->end()) return nullptr;
+            place = &*found;
+        } else if (place->is_array() && step.index && *step.index < place->size()) {
+            place = &(*place)[*step.index];
+        } else {
+            return nullptr;
+        }
+    }
+    return place;
+}
+
+std::string warning_codes(const Json& warnings) {
+    std::string codes;
+    for (const Json& warning : warnings) {
+        codes += (codes.empty() ? "" : " ") + warning.at("code").get_ref<const std::string&>();
+    }
+    return codes;
+}
+
+}  // namespace
+
+CsvColumns::CsvColumns(std::size_t cell_entries) : cell_entries_(cell_entries) {
+    for (const std::string_view path : leading_paths) add(std::string(path));
+    add("exit.elongational_stress");
+    for (std::size_t i = 0; i < cell_entries; ++i) {
+        for (const std::string_view path : cell_paths)
+            add("cells." + std::to_string(i) + "." + std::string(path));
+    }
+    for (const std::string_view path : trailing_paths) add(std::string(path));
+}
+
+void CsvColumns::add(const std::string& path) {
+    std::vector<Step> steps;
+    for (std::size_t begin = 0; begin <= path.size();) {
+        const std::size_t end = std::min(path.find('.', begin), path.size());
+        const std::string name = path.substr(begin, end - begin);
+        steps.push_back({name, is_index(name) ? std::optional<std::size_t>(std::stoul(name)) : std::nullopt});
+        begin = end + 1;
+    }
+    paths_.push_back(std::move(steps));
+    headers_.push_back(with_unit(path));
+}
+
+void CsvColumns::write(const Json& answer, CsvWriter& writer) const {
+    for (const std::vector<Step>& path : paths_) {
+        const Json* value = find(answer, path);
+        if (value == nullptr || value->is_null()) {
+            writer.add_empty();
+        } else if (value->is_array()) {
+            writer.add_text(warning_codes(*value));
+        } else if (value->is_number()) {
+            writer.add_number(value->get<double>());
+        } else {
+            writer.add_text(value->get_ref<const std::string&>());
+        }
+    }
+}
+
+bool is_answer_header(std::string_view header) {
+    std::string_view path = header.substr(0, header.find(" ["));
+    bool known = std::find(leading_paths.begin(), leading_paths.end(), path) != leading_paths.end() ||
+                 path == "exit.elongational_stress" ||
+                 std::find(trailing_paths.begin(), trailing_paths.end(), path) != trailing_paths.end();
+    if (!known && path.starts_with("cells.")) {
+        const std::string_view rest = path.substr(6);
+        const std::size_t dot = rest.find('.');
+        known = dot != std::string_view::npos && is_index(rest.substr(0, dot)) &&
+                std::find(cell_paths.begin(), cell_paths.end(), rest.substr(dot + 1)) != cell_paths.end();
+    }
+    return known && with_unit(path) == header;
+}
+
+}  // namespace bioprint

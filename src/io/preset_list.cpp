@@ -1,0 +1,79 @@
+#include "io/preset_list.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "bioprint/errors.hpp"
+#include "bioprint/io/number_format.hpp"
+#include "bioprint/io/presets.hpp"
+
+namespace bioprint {
+namespace {
+
+using Row = std::vector<std::string>;
+
+std::string lab(const std::optional<double>& value, Dimension dimension) {
+    if (!value) return "-";
+    const LabNumber n = format_lab(*value, dimension);
+    return n.unit.empty() ? n.number : n.number + " " + n.unit;
+}
+
+std::size_t width_of(std::string_view text) {
+    return static_cast<std::size_t>(std::count_if(
+        text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+/// Left-aligned columns; the last one may be of any length.
+std::string aligned(const std::vector<Row>& rows) {
+    std::vector<std::size_t> widths(rows.front().size(), 0);
+    for (const Row& row : rows) {
+        for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width_of(row[i]));
+    }
+    std::string out;
+    for (const Row& row : rows) {
+        for (std::size_t i = 0; i + 1 < row.size(); ++i) {
+            out += row[i] + std::string(widths[i] - width_of(row[i]) + 2, ' ');
+        }
+        out += row.back() + "\n";
+    }
+    return out;
+}
+
+std::string inks() {
+    std::vector<Row> rows = {{"name", "eta0", "K", "alpha", "eta_inf", "at", "grade", "source"}};
+    for (const InkPreset& p : ink_presets()) {
+        rows.push_back(
+            {p.name, lab(p.ink.eta0, Dimension::viscosity), lab(p.ink.time_constant, Dimension::time),
+             lab(p.ink.alpha, Dimension::dimensionless), lab(p.ink.eta_inf, Dimension::viscosity),
+             p.temperature ? lab(*p.temperature, Dimension::dimensionless) + " °C" : "-", p.grade, p.source});
+    }
+    return aligned(rows);
+}
+
+std::string cells() {
+    std::vector<Row> rows = {{"name", "radius", "shear modulus", "grade", "what", "source"}};
+    for (const CellPreset& p : cell_presets()) {
+        rows.push_back({p.name, lab(p.radius, Dimension::length), lab(p.shear_modulus, Dimension::pressure),
+                        p.grade, p.cell, p.source});
+    }
+    return aligned(rows);
+}
+
+std::string nozzles() {
+    std::vector<Row> rows = {{"name", "radius", "grade", "source"}};
+    for (const NozzlePreset& p : nozzle_presets()) {
+        rows.push_back({p.name, lab(p.radius, Dimension::length), p.grade, p.source});
+    }
+    return aligned(rows);
+}
+
+}  // namespace
+
+std::string preset_list(std::string_view kind) {
+    if (kind == "inks") return inks();
+    if (kind == "cells") return cells();
+    if (kind == "nozzles") return nozzles();
+    throw UsageError("--list: takes inks, cells or nozzles", "--list");
+}
+
+}  // namespace bioprint

@@ -1,0 +1,258 @@
+#include "io/preset_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <span>
+#include <utility>
+
+#include "bioprint/errors.hpp"
+#include "bioprint/io/number_format.hpp"
+#include "bioprint/io/quantity.hpp"
+#include "io/json_lines.hpp"
+#include "io/text.hpp"
+
+namespace bioprint {
+
+namespace {
+
+using Json = nlohmann::json;
+
+struct Value {
+    double value;
+    std::optional<double> sd;
+};
+
+enum class Sign { positive, not_negative };
+
+/// An object of the file with the path that leads to it.
+class Node {
+  public:
+    Node(const Json& json, std::string path) : json_(json), path_(std::move(path)) {
+        if (!json_.is_object()) fail("", "is not an object");
+    }
+
+    [[noreturn]] void fail(std::string_view key, const std::string& problem) const {
+        throw UsageError(name_of(key) + ": " + problem);
+    }
+
+    [[nodiscard]] bool has(const char* key) const { return json_.contains(key) && !json_[key].is_null(); }
+
+    void allow_only(std::initializer_list<std::string_view> keys) const {
+        for (const auto& [key, value] : json_.items()) {
+            if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
+            const auto near = nearest(key, std::span(keys.begin(), keys.size()));
+            fail(key,
+                 "is not known here" + (near.empty() ? "" : " (did you mean '" + std::string(near) + "'?)"));
+        }
+    }
+
+    [[nodiscard]] Node object(const char* key) const {
+        if (!has(key)) fail(key, "is missing");
+        return {json_[key], name_of(key)};
+    }
+
+    [[nodiscard]] std::vector<Node> objects(const char* key) const {
+        std::vector<Node> nodes;
+        if (!has(key)) return nodes;
+        if (!json_[key].is_array()) fail(key, "is not a list");
+        for (std::size_t i = 0; i < json_[key].size(); ++i) {
+            nodes.emplace_back(json_[key][i], name_of(key) + "." + std::to_string(i));
+        }
+        return nodes;
+    }
+
+    [[nodiscard]] std::string text(const char* key) const {
+        if (!has(key)) return {};
+        if (!json_[key].is_string()) fail(key, "is not a text");
+        return json_[key].get<std::string>();
+    }
+
+    [[nodiscard]] std::vector<std::string> texts(const char* key) const {
+        std::vector<std::string> all;
+        if (!has(key)) return all;
+        if (!json_[key].is_array()) fail(key, "is not a list of texts");
+        for (const auto& item : json_[key]) {
+            if (!item.is_string()) fail(key, "is not a list of texts");
+            all.push_back(item.get<std::string>());
+        }
+        return all;
+    }
+
+    [[nodiscard]] double number(const char* key) const {
+        if (!has(key) || !json_[key].is_number()) fail(key, "is not a number");
+        return json_[key].get<double>();
+    }
+
+    /// {"value": …, "unit": …, "sd": …}, a text with a unit, or a number in SI.
+    [[nodiscard]] std::optional<Value> quantity(const char* key, Dimension dimension, Sign sign) const {
+        if (!has(key)) return {};
+        const Json& json = json_[key];
+        Value result{.value = 0.0, .sd = {}};
+        if (json.is_string()) {
+            result.value = parse_quantity(json.get_ref<const std::string&>(), dimension, name_of(key));
+        } else if (json.is_number()) {
+            result.value = json.get<double>();
+        } else {
+            const Node node = object(key);
+            node.allow_only({"value", "unit", "sd", "tolerance"});
+            result.value = node.with_unit("value", dimension);
+            const char* spread = node.has("tolerance") ? "tolerance" : "sd";
+            if (node.has(spread)) result.sd = node.with_unit(spread, dimension);
+            if (result.sd && *result.sd < 0.0) node.fail(spread, "is negative");
+        }
+        if (result.value < 0.0 || (sign == Sign::positive && result.value == 0.0)) {
+            fail(key, sign == Sign::positive ? "must be greater than 0" : "must not be negative");
+        }
+        return result;
+    }
+
+    [[nodiscard]] double with_unit(const char* key, Dimension dimension) const {
+        std::string written = format_shortest(number(key));
+        const std::string unit = text("unit");
+        if (!unit.empty() && unit != "1") written.append(" ").append(unit);
+        return parse_quantity(written, dimension, name_of(key));
+    }
+
+    [[nodiscard]] std::optional<double> temperature() const {
+        if (!has("temperature")) return {};
+        const Node node = object("temperature");
+        node.allow_only({"value", "unit"});
+        if (node.text("unit") != "degC") node.fail("unit", "must be degC");
+        return node.number("value");
+    }
+
+  private:
+    [[nodiscard]] std::string name_of(std::string_view key) const {
+        if (key.empty()) return path_.ends_with(": ") ? path_.substr(0, path_.size() - 2) : path_;
+        return path_ + (path_.ends_with(": ") ? "" : ".") + std::string(key);
+    }
+
+    const Json& json_;
+    std::string path_;
+};
+
+Value required(const Node& node, const char* key, Dimension dimension, Sign sign) {
+    const auto value = node.quantity(key, dimension, sign);
+    if (!value) node.fail(key, "is missing");
+    return *value;
+}
+
+InkPreset read_ink(const Node& node) {
+    node.allow_only({"name", "aliases", "material", "composition", "temperature", "parameters",
+                     "shear_rate_range", "grade", "source", "note", "schema", "$schema"});
+    const Node parameters = node.object("parameters");
+    parameters.allow_only({"eta0", "eta_inf", "time_constant", "alpha"});
+    const Value eta0 = required(parameters, "eta0", Dimension::viscosity, Sign::positive);
+    const auto eta_inf = parameters.quantity("eta_inf", Dimension::viscosity, Sign::not_negative);
+    const Value time_constant = required(parameters, "time_constant", Dimension::time, Sign::positive);
+    const Value alpha = required(parameters, "alpha", Dimension::dimensionless, Sign::not_negative);
+    if (eta_inf && eta_inf->value > eta0.value) parameters.fail("eta_inf", "is larger than eta0");
+    InkPreset preset{.name = node.text("name"),
+                     .aliases = node.texts("aliases"),
+                     .material = node.text("material"),
+                     .composition = node.text("composition"),
+                     .temperature = node.temperature(),
+                     .ink = {.eta0 = eta0.value,
+                             .eta_inf = eta_inf ? eta_inf->value : 0.0,
+                             .time_constant = time_constant.value,
+                             .alpha = alpha.value},
+                     .eta0_sd = eta0.sd,
+                     .eta_inf_sd = eta_inf ? eta_inf->sd : std::nullopt,
+                     .time_constant_sd = time_constant.sd,
+                     .alpha_sd = alpha.sd,
+                     .shear_rate_range = {},
+                     .grade = node.text("grade"),
+                     .source = node.text("source"),
+                     .note = node.text("note")};
+    if (preset.name.empty()) node.fail("name", "is missing");
+    if (node.has("shear_rate_range")) {
+        const Node range = node.object("shear_rate_range");
+        range.allow_only({"min", "max", "unit"});
+        preset.shear_rate_range = RateRange{.min = range.with_unit("min", Dimension::rate),
+                                            .max = range.with_unit("max", Dimension::rate)};
+    }
+    return preset;
+}
+
+CellPreset read_cell(const Node& node) {
+    node.allow_only({"name", "aliases", "cell", "temperature", "parameters", "viability_thresholds", "grade",
+                     "source", "note"});
+    const Node parameters = node.object("parameters");
+    parameters.allow_only({"radius", "shear_modulus", "poisson_ratio", "viscosity_ratio"});
+    const auto value = [](const std::optional<Value>& v) {
+        return v ? std::optional(v->value) : std::nullopt;
+    };
+    const auto modulus = parameters.quantity("shear_modulus", Dimension::pressure, Sign::positive);
+    CellPreset preset{
+        .name = node.text("name"),
+        .aliases = node.texts("aliases"),
+        .cell = node.text("cell"),
+        .temperature = node.temperature(),
+        .radius = value(parameters.quantity("radius", Dimension::length, Sign::positive)),
+        .shear_modulus = value(modulus),
+        .shear_modulus_sd = modulus ? modulus->sd : std::nullopt,
+        .poisson_ratio =
+            value(parameters.quantity("poisson_ratio", Dimension::dimensionless, Sign::not_negative)),
+        .viscosity_ratio =
+            value(parameters.quantity("viscosity_ratio", Dimension::dimensionless, Sign::not_negative)),
+        .viability_thresholds = {},
+        .grade = node.text("grade"),
+        .source = node.text("source"),
+        .note = node.text("note")};
+    for (const auto& threshold : node.objects("viability_thresholds")) {
+        threshold.allow_only({"exposure", "wall_stress", "viability"});
+        preset.viability_thresholds.push_back(
+            {.exposure = required(threshold, "exposure", Dimension::time, Sign::positive).value,
+             .wall_stress = required(threshold, "wall_stress", Dimension::pressure, Sign::positive).value,
+             .viability = threshold.number("viability")});
+    }
+    return preset;
+}
+
+NozzlePreset read_nozzle(const Node& node) {
+    node.allow_only(
+        {"name", "gauge", "tip", "inner_diameter", "outer_diameter", "color", "part", "grade", "source"});
+    const Value bore = required(node, "inner_diameter", Dimension::length, Sign::positive);
+    const Tip tip = parse_tip(node.text("tip"));
+    return {.name = node.text("name"),
+            .gauge = static_cast<int>(node.number("gauge")),
+            .tip = tip,
+            .radius = bore.value / 2.0,
+            .diameter_tolerance = bore.sd,
+            .tapered = tip == Tip::tapered,
+            .part = node.text("part"),
+            .grade = node.text("grade"),
+            .source = node.text("source")};
+}
+
+template <typename Preset>
+Preset read_text(std::string_view text, const std::string& what, Preset (*read)(const Node&)) {
+    const Json json = parse_json(text, what);
+    return read(Node(json, what + ": "));
+}
+
+}  // namespace
+
+InkPreset read_ink_text(std::string_view json, const std::string& what) {
+    return read_text(json, what, read_ink);
+}
+
+CellPreset read_cell_text(std::string_view json, const std::string& what) {
+    return read_text(json, what, read_cell);
+}
+
+NozzlePreset read_nozzle_text(std::string_view json, const std::string& what) {
+    return read_text(json, what, read_nozzle);
+}
+
+InkPreset read_single_ink(std::string_view text, const std::string& what) {
+    const Json json = parse_json(text, what);
+    const Node root(json, what + ": ");
+    if (!root.has("inks")) return read_ink(root);
+    const auto inks = root.objects("inks");
+    if (inks.size() != 1) root.fail("inks", "must hold one ink, holds " + std::to_string(inks.size()));
+    return read_ink(inks.front());
+}
+
+}  // namespace bioprint

@@ -1,0 +1,88 @@
+#include "io/row_answer.hpp"
+
+#include <algorithm>
+
+#include "bioprint/errors.hpp"
+#include "bioprint/io/number_format.hpp"
+
+namespace bioprint {
+
+CsvDialect fresh_dialect() {
+    return {.line_end = "\r\n"};
+}
+
+RowAnswer answer_row(const std::function<Settings()>& question) {
+    try {
+        return {.object = answer_object(predict(question().make_case())), .refused = false};
+    } catch (...) {
+        return {.object = refusal_object(current_refusal()), .refused = true};
+    }
+}
+
+std::string values_line(const RowAnswer& answer, const std::vector<std::string>& paths) {
+    std::string line;
+    for (const std::string& path : paths) {
+        if (!line.empty()) line += '\t';
+        line += answer.refused ? "null" : value_text(value_at(answer.object, path));
+    }
+    return line + '\n';
+}
+
+std::string value_text(const Json& value) {
+    if (value.is_string()) return value.get<std::string>();
+    if (value.is_number_float()) return format_shortest(value.get<double>());
+    return value.dump();
+}
+
+std::size_t cell_entries(const Settings& settings) {
+    if (!settings.has(Key::offset)) return 6;  // the paper's four positions, the centred one three times
+    const std::vector<CellPosition>& positions = settings.at(Key::offset).positions;
+    const auto centred = std::count_if(positions.begin(), positions.end(),
+                                       [](const CellPosition& position) { return position.value == 0.0; });
+    return positions.size() + 2 * static_cast<std::size_t>(centred);
+}
+
+RowWriter::RowWriter(const RunOptions& options, std::size_t cell_entries)
+    : options_(options), columns_(cell_entries) {}
+
+std::string RowWriter::head() const {
+    if (!options_.paths.empty()) return {};
+    if (options_.format == Format::json) return "[\n";
+    if (options_.format != Format::csv) return {};
+    CsvWriter writer(fresh_dialect());
+    for (const std::string& name : columns_.headers()) writer.add_text(name);
+    writer.end_row();
+    return writer.text();
+}
+
+std::string RowWriter::csv_row(const Json& answer) const {
+    CsvWriter writer(fresh_dialect());
+    columns_.write(answer, writer);
+    writer.end_row();
+    return writer.text();
+}
+
+RowText RowWriter::answer(const std::function<Settings()>& question) const {
+    const RowAnswer answer = answer_row(question);
+    RowText row{.text = {}, .refused = answer.refused};
+    if (!options_.paths.empty()) {
+        row.text = values_line(answer, options_.paths);
+    } else if (options_.format == Format::csv) {
+        row.text = csv_row(answer.object);
+    } else {
+        row.text = answer.object.dump();
+        if (options_.format == Format::jsonl) row.text += '\n';
+    }
+    return row;
+}
+
+std::string RowWriter::placed(const std::string& text, std::size_t index) const {
+    const bool in_array = options_.paths.empty() && options_.format == Format::json;
+    return in_array && index > 0 ? ",\n" + text : text;
+}
+
+std::string RowWriter::tail() const {
+    return options_.paths.empty() && options_.format == Format::json ? "\n]\n" : std::string{};
+}
+
+}  // namespace bioprint

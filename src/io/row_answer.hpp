@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "io/answer_object.hpp"
+#include "io/csv_columns.hpp"
+#include "io/run.hpp"
+
+/// The text of one row among many: JSON, JSON Lines, CSV or the values of `--get`.
+namespace bioprint {
+
+struct RowText {
+    std::string text;
+    bool refused = false;
+};
+
+/// The answer of a row, or the refusal in its place; never throws for what is the row's own fault.
+struct RowAnswer {
+    Json object;
+    bool refused = false;
+};
+RowAnswer answer_row(const std::function<Settings()>& question);
+
+/// The values at `paths`, one line, separated by tabs; `null` throughout for a refusal.
+std::string values_line(const RowAnswer& answer, const std::vector<std::string>& paths);
+
+/// Rows computed between two writes: enough for all threads, small enough that memory does not grow with the
+/// rows.
+inline constexpr std::size_t chunk_rows = 2048;
+
+/// A value alone: numbers in their shortest form, texts bare, lists and objects as JSON.
+std::string value_text(const Json& value);
+
+/// A CSV of our own: RFC 4180.
+CsvDialect fresh_dialect();
+
+/// Entries of `cells` a question with these settings can have.
+std::size_t cell_entries(const Settings& settings);
+
+class RowWriter {
+  public:
+    RowWriter(const RunOptions& options, std::size_t cell_entries);
+
+    [[nodiscard]] std::string head() const;
+    [[nodiscard]] std::string csv_row(const Json& answer) const;
+    [[nodiscard]] RowText answer(const std::function<Settings()>& question) const;
+    /// A row's text with what separates it from the row before.
+    [[nodiscard]] std::string placed(const std::string& text, std::size_t index) const;
+    [[nodiscard]] std::string tail() const;
+
+  private:
+    const RunOptions& options_;
+    CsvColumns columns_;
+};
+
+}  // namespace bioprint

@@ -1,0 +1,142 @@
+#include "io/run.hpp"
+
+#include "bioprint/errors.hpp"
+#include "io/answer_object.hpp"
+#include "io/csv_columns.hpp"
+#include "io/parallel.hpp"
+#include "io/row_answer.hpp"
+
+namespace bioprint {
+namespace {
+
+std::string profile_csv(const RadialProfile& profile) {
+    CsvWriter writer(fresh_dialect());
+    for (const char* name :
+         {"r [m]", "velocity [m/s]", "shear_rate [1/s]", "viscosity [Pa.s]", "stress [Pa]"}) {
+        writer.add_text(name);
+    }
+    writer.end_row();
+    for (std::size_t i = 0; i < profile.r.size(); ++i) {
+        for (const auto* column :
+             {&profile.r, &profile.velocity, &profile.shear_rate, &profile.viscosity, &profile.stress}) {
+            writer.add_number((*column)[i]);
+        }
+        writer.end_row();
+    }
+    return writer.text();
+}
+
+/// One question, whose refusal is the call's refusal.
+void answer_one(const Settings& row, const RunOptions& options, const Sink& sink, const Sink& notice) {
+    const Prediction prediction = predict(row.make_case());
+    if (!options.paths.empty()) {
+        const Json answer = answer_object(prediction);
+        for (const std::string& path : options.paths) sink(value_text(value_at(answer, path)) + "\n");
+        for (const Warning& warning : prediction.warnings) notice(warning.message);
+        return;
+    }
+    switch (options.format) {
+        case Format::table:
+            return sink(answer_table(prediction, options.style));
+        case Format::json:
+            return sink(answer_object(prediction).dump(2) + "\n");
+        case Format::jsonl:
+            return sink(answer_object(prediction).dump() + "\n");
+        case Format::csv:
+            break;
+    }
+    if (prediction.profile) return sink(profile_csv(*prediction.profile));
+    const RowWriter writer(options, cell_entries(row));
+    sink(writer.head() + writer.csv_row(answer_object(prediction)));
+}
+
+struct SweepRow {
+    Settings settings;
+    std::optional<Prediction> prediction;
+    std::string error;
+    std::string text;
+};
+
+void write_table(const Sweep& sweep, const RunOptions& options, const Sink& sink, RunResult& result) {
+    constexpr std::size_t most_rows = 10000;  // a table is held whole to align it
+    if (sweep.size() > most_rows) {
+        throw UsageError("--format: a table holds at most 10000 rows and the sweep has " +
+                             std::to_string(sweep.size()) + "; use --format csv or jsonl",
+                         "--format");
+    }
+    SweepTable table(sweep.swept());
+    std::vector<SweepRow> rows(sweep.size());
+    for_each_index(rows.size(), options.jobs, [&](std::size_t i) {
+        rows[i].settings = sweep.row(i);
+        try {
+            rows[i].prediction = predict(rows[i].settings.make_case());
+        } catch (const Error& e) {
+            rows[i].error = e.what();
+        }
+    });
+    for (const SweepRow& row : rows) {
+        if (row.prediction) {
+            table.add(row.settings, *row.prediction);
+        } else {
+            table.add_refusal(row.settings, row.error);
+            ++result.refused;
+        }
+    }
+    result.rows = rows.size();
+    sink(table.text(options.style));
+}
+
+}  // namespace
+
+RunResult run_sweep(const Sweep& sweep, const RunOptions& options, const Sink& sink, const Sink& notice) {
+    RunResult result;
+    if (sweep.swept().empty()) {
+        answer_one(sweep.fixed(), options, sink, notice);
+        result.rows = 1;
+        return result;
+    }
+    if (options.format == Format::table && options.paths.empty()) {
+        write_table(sweep, options, sink, result);
+        return result;
+    }
+
+    RowWriter writer(options, cell_entries(sweep.fixed()));
+    sink(writer.head());
+    const std::size_t total = sweep.size();
+    for (std::size_t begin = 0; begin < total; begin += chunk_rows) {
+        const std::size_t count = std::min(chunk_rows, total - begin);
+        std::vector<RowText> texts(count);
+        for_each_index(count, options.jobs, [&](std::size_t i) {
+            texts[i] = writer.answer([&] { return sweep.row(begin + i); });
+        });
+        for (std::size_t i = 0; i < count; ++i) {
+            sink(writer.placed(texts[i].text, begin + i));
+            result.refused += texts[i].refused ? 1 : 0;
+        }
+        result.rows += count;
+        if (options.interrupted && *options.interrupted) {
+            result.interrupted = true;
+            break;
+        }
+    }
+    sink(writer.tail());
+    return result;
+}
+
+int exit_status_of_current() {
+    try {
+        throw;
+    } catch (const UsageError&) {
+        return 2;
+    } catch (const NoSteadyFlow&) {
+        return 3;
+    } catch (const DataError&) {
+        return 4;
+    } catch (const NotConverged&) {
+        return 5;
+    } catch (...) {
+        return 1;
+    }
+}
+
+}  // namespace bioprint

@@ -1,0 +1,282 @@
+#include "io/table.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numbers>
+
+#include "bioprint/io/number_format.hpp"
+
+namespace bioprint {
+namespace {
+
+constexpr std::size_t page_width = 80;
+
+/// Columns a UTF-8 text takes: bytes that do not continue a character.
+std::size_t width_of(std::string_view text) {
+    return static_cast<std::size_t>(std::count_if(
+        text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+std::string padded(std::string text, std::size_t width, bool left) {
+    const std::size_t own = width_of(text);
+    const std::string space(width > own ? width - own : 0, ' ');
+    return left ? text + space : space + text;
+}
+
+std::string lab(double value, Dimension dimension) {
+    const LabNumber n = format_lab(value, dimension);
+    return n.unit.empty() ? n.number : n.number + " " + n.unit;
+}
+
+std::string plain(double value, int digits = 4) {
+    return format_lab(value, Dimension::dimensionless, digits).number;
+}
+
+std::string heading(std::string_view text, TableStyle style) {
+    return style.color ? "\033[1m" + std::string(text) + "\033[0m\n" : std::string(text) + "\n";
+}
+
+/// Breaks at spaces so that no line passes the page; following lines are indented by `indent`.
+std::string wrapped(std::string_view text, std::size_t indent) {
+    std::string out;
+    std::size_t column = indent;
+    std::size_t begin = 0;
+    while (begin < text.size()) {
+        std::size_t end = text.find(' ', begin);
+        if (end == std::string_view::npos) end = text.size();
+        const std::string_view word = text.substr(begin, end - begin);
+        if (column > indent && column + 1 + width_of(word) > page_width) {
+            out += "\n" + std::string(indent, ' ');
+            column = indent;
+        } else if (column > indent) {
+            out += ' ';
+            ++column;
+        }
+        out += word;
+        column += width_of(word);
+        begin = end + 1;
+    }
+    return out;
+}
+
+using Entry = std::pair<std::string, std::string>;
+
+/// Names and values in two columns, read down the page by rows.
+std::string two_columns(const std::vector<Entry>& entries) {
+    std::string out;
+    for (std::size_t i = 0; i < entries.size(); i += 2) {
+        std::string line = "  " + padded(entries[i].first, 20, true) + padded(entries[i].second, 16, false);
+        if (i + 1 < entries.size()) {
+            line +=
+                "    " + padded(entries[i + 1].first, 21, true) + padded(entries[i + 1].second, 15, false);
+        }
+        out += line + "\n";
+    }
+    return out;
+}
+
+/// Right-aligned columns under their headings, the first `left` ones left-aligned.
+std::string grid(const std::vector<std::vector<std::string>>& rows, std::size_t left) {
+    std::vector<std::size_t> widths;
+    for (const auto& row : rows) {
+        widths.resize(std::max(widths.size(), row.size()), 0);
+        for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width_of(row[i]));
+    }
+    // Two spaces between columns where the page allows, else one.
+    std::size_t total = 1;
+    for (const std::size_t width : widths) total += width + 2;
+    const std::size_t gap = total > page_width ? 1 : 2;
+    std::string out;
+    for (const auto& row : rows) {
+        std::string line;
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            line += std::string(i == 0 ? 2 : gap, ' ') + padded(row[i], widths[i], i < left);
+        }
+        out += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+    }
+    return out;
+}
+
+std::string input_section(const Prediction& prediction, TableStyle style) {
+    const Case& question = prediction.question;
+    const CrossInk& law = question.ink.law;
+    std::string ink = question.ink.name + ": η0 " + lab(law.eta0, Dimension::viscosity) + ", K " +
+                      lab(law.time_constant, Dimension::time) + ", α " + plain(law.alpha);
+    if (law.eta_inf > 0.0) ink += ", η∞ " + lab(law.eta_inf, Dimension::viscosity);
+    std::string cell = question.cell.name + ": radius " + lab(question.cell.radius, Dimension::length) +
+                       ", shear modulus " + lab(question.cell.shear_modulus, Dimension::pressure);
+    if (question.cell.viscosity_ratio != 1.0)
+        cell += ", viscosity ratio " + plain(question.cell.viscosity_ratio);
+    std::string nozzle = "radius " + lab(question.radius, Dimension::length);
+    if (question.length) nozzle += ", length " + lab(*question.length, Dimension::length);
+    if (question.needle) nozzle += " (" + question.needle->name + ")";
+    const auto line = [](const char* name, const std::string& text) {
+        return "  " + padded(name, 8, true) + wrapped(text, 10) + "\n";
+    };
+    return heading("Input", style) + line("nozzle", nozzle) + line("ink", ink) + line("cell", cell);
+}
+
+std::string nozzle_section(const NozzleAnswer& nozzle, TableStyle style) {
+    std::vector<Entry> entries = {
+        {"flow rate", lab(nozzle.flow_rate, Dimension::volume_flow)},
+        {"pressure gradient", lab(nozzle.pressure_gradient, Dimension::pressure_gradient)},
+        {"average velocity", lab(nozzle.velocity_average, Dimension::velocity)},
+        {"largest velocity", lab(nozzle.velocity_max, Dimension::velocity)},
+        {"average stress", lab(nozzle.stress_average, Dimension::pressure)},
+        {"stress at the wall", lab(nozzle.stress_max, Dimension::pressure)},
+        {"average shear rate", lab(nozzle.shear_rate_average, Dimension::rate)},
+        {"shear rate at wall", lab(nozzle.shear_rate_max, Dimension::rate)},
+        {"viscosity at wall", lab(nozzle.viscosity_wall, Dimension::viscosity)}};
+    if (nozzle.pressure_drop)
+        entries.emplace_back("pressure drop", lab(*nozzle.pressure_drop, Dimension::pressure));
+    if (nozzle.residence_time)
+        entries.emplace_back("residence time", lab(*nozzle.residence_time, Dimension::time));
+    return "\n" + heading("In the nozzle", style) + two_columns(entries);
+}
+
+std::string exit_section(const ExitAnswer& exit, TableStyle style) {
+    return "\n" + heading("At the exit", style) +
+           two_columns({{"elongation rate", lab(exit.elongation_rate, Dimension::rate)},
+                        {"elongational stress", lab(exit.elongational_stress, Dimension::pressure)}});
+}
+
+std::string_view model_label(Model model) {
+    switch (model) {
+        case Model::bullet:
+            return "bullet";
+        case Model::roscoe_shear:
+            return "shear";
+        case Model::roscoe_elongation:
+            return "steady";
+        case Model::ellipsoid:
+            return "ellipsoid";
+    }
+    return "";
+}
+
+std::string cells_section(const Prediction& prediction, TableStyle style) {
+    double largest = 0.0;
+    for (const CellAnswer& cell : prediction.cells) {
+        largest = std::max({largest, cell.fluid_stress, cell.stress ? cell.stress->von_mises : 0.0});
+    }
+    const LabUnit& unit = choose_lab_unit(largest, Dimension::pressure);
+    const std::string unit_name(unit.name);
+    std::vector<std::vector<std::string>> rows = {
+        {"place", "offset", "fluid", "von Mises", "viscous", "stretch", "", "", "angle", "model"},
+        {"", "µm", unit_name, unit_name, unit_name, "α1", "α2", "α3", "°", ""}};
+    for (const CellAnswer& cell : prediction.cells) {
+        const auto stress = [&](double value) { return format_in(value, unit, 4); };
+        const auto stretch = [&](std::size_t i) { return cell.stretch ? plain((*cell.stretch)[i]) : "–"; };
+        rows.push_back({cell.place == Place::nozzle ? "nozzle" : "exit", plain(cell.offset * 1e6),
+                        stress(cell.fluid_stress), cell.stress ? stress(cell.stress->von_mises) : "–",
+                        cell.stress ? stress(cell.stress->viscous) : "–", stretch(0), stretch(1), stretch(2),
+                        cell.angle ? plain(*cell.angle * 180.0 / std::numbers::pi, 3) : "–",
+                        std::string(model_label(cell.model))});
+    }
+    return "\n" + heading("Cells: stress of the ink, stress and stretch of the cell", style) + grid(rows, 1);
+}
+
+std::string profile_section(const RadialProfile& profile, TableStyle style) {
+    std::vector<std::vector<std::string>> rows = {{"r", "velocity", "shear rate", "viscosity", "stress"},
+                                                  {"µm", "mm/s", "1/s", "Pa.s", "Pa"}};
+    for (std::size_t i = 0; i < profile.r.size(); ++i) {
+        rows.push_back({plain(profile.r[i] * 1e6), plain(profile.velocity[i] * 1e3),
+                        plain(profile.shear_rate[i]), plain(profile.viscosity[i]), plain(profile.stress[i])});
+    }
+    return "\n" + heading("Profile", style) + grid(rows, 0);
+}
+
+std::string notes_section(const std::vector<Warning>& warnings, TableStyle style) {
+    if (warnings.empty() || style.quiet) return {};
+    std::string out = "\n" + heading("Notes", style);
+    for (const Warning& warning : warnings) out += "  " + wrapped("- " + warning.message, 4) + "\n";
+    return out;
+}
+
+double largest_stress(const Prediction& prediction, Place place, bool& complete) {
+    double largest = 0.0;
+    for (const CellAnswer& cell : prediction.cells) {
+        if (cell.place != place) continue;
+        if (cell.stress) largest = std::max(largest, cell.stress->von_mises);
+        complete = complete && cell.stress.has_value();
+    }
+    return largest;
+}
+
+}  // namespace
+
+std::string table_heading(std::string_view text, TableStyle style) {
+    return heading(text, style);
+}
+
+std::string table_grid(const std::vector<std::vector<std::string>>& rows, std::size_t left) {
+    return grid(rows, left);
+}
+
+std::string answer_table(const Prediction& prediction, TableStyle style) {
+    std::string out = input_section(prediction, style) + nozzle_section(prediction.nozzle, style) +
+                      exit_section(prediction.exit, style) + cells_section(prediction, style);
+    if (prediction.profile) out += profile_section(*prediction.profile, style);
+    return out + notes_section(prediction.warnings, style);
+}
+
+std::vector<std::string> SweepTable::label_cells(const Settings& row) const {
+    std::vector<std::string> cells;
+    for (const Key key : swept_) {
+        const KeyInfo& info = info_of(key);
+        cells.push_back(info.dimension ? lab(row.at(key).number, *info.dimension) : row.at(key).text);
+    }
+    return cells;
+}
+
+void SweepTable::add(const Settings& row, const Prediction& prediction) {
+    std::vector<std::string> cells = label_cells(row);
+    bool complete = true;
+    const double in_nozzle = largest_stress(prediction, Place::nozzle, complete);
+    const double at_exit = largest_stress(prediction, Place::exit, complete);
+    cells.push_back(lab(prediction.nozzle.flow_rate, Dimension::volume_flow));
+    cells.push_back(lab(prediction.nozzle.pressure_gradient, Dimension::pressure_gradient));
+    cells.push_back(lab(prediction.nozzle.stress_max, Dimension::pressure));
+    cells.push_back(lab(prediction.exit.elongational_stress, Dimension::pressure));
+    cells.push_back(lab(in_nozzle, Dimension::pressure));
+    cells.push_back(complete && at_exit > 0.0 ? lab(at_exit, Dimension::pressure) : "–");
+    rows_.push_back(std::move(cells));
+    for (const Warning& warning : prediction.warnings) {
+        if (std::find(notes_.begin(), notes_.end(), warning.code) == notes_.end())
+            notes_.push_back(warning.code);
+    }
+}
+
+void SweepTable::add_refusal(const Settings& row, const std::string& message) {
+    std::vector<std::string> cells = label_cells(row);
+    cells.resize(swept_.size() + 6, "–");
+    rows_.push_back(std::move(cells));
+    notes_.push_back(message);
+}
+
+std::string SweepTable::text(TableStyle style) const {
+    std::vector<std::vector<std::string>> rows(2);
+    for (const Key key : swept_) {
+        rows[0].emplace_back(info_of(key).option);
+        rows[1].emplace_back();
+    }
+    for (const auto& [top, bottom] : {Entry{"flow", "rate"},
+                                      {"pressure", "gradient"},
+                                      {"wall", "stress"},
+                                      {"exit", "stress"},
+                                      {"cell stress", "in nozzle"},
+                                      {"cell stress", "at exit"}}) {
+        rows[0].push_back(top);
+        rows[1].push_back(bottom);
+    }
+    rows.insert(rows.end(), rows_.begin(), rows_.end());
+    std::string out = grid(rows, 0);
+    if (!notes_.empty() && !style.quiet) {
+        std::string list;
+        for (const std::string& note : notes_) list += (list.empty() ? "" : ", ") + note;
+        out += "\n  " + wrapped("Notes (in full with --format json): " + list, 2) + "\n";
+    }
+    return out;
+}
+
+}  // namespace bioprint

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bioprint/predict/prediction.hpp"
+#include "io/settings.hpp"
+
+/// The answer for a person at a shell: lab units, aligned, at most 80 columns (names of presets may be
+/// longer).
+namespace bioprint {
+
+struct TableStyle {
+    bool color = false;
+    bool quiet = false;  ///< without the notes
+};
+
+/// A section's heading, and right-aligned columns whose first `left` are left-aligned.
+std::string table_heading(std::string_view text, TableStyle style);
+std::string table_grid(const std::vector<std::vector<std::string>>& rows, std::size_t left);
+
+std::string answer_table(const Prediction& prediction, TableStyle style);
+
+/// One line a row of a sweep: what was swept, then the answers one compares.
+class SweepTable {
+  public:
+    /// @param swept  the keys that change from row to row
+    explicit SweepTable(std::vector<Key> swept) : swept_(std::move(swept)) {}
+    void add(const Settings& row, const Prediction& prediction);
+    void add_refusal(const Settings& row, const std::string& message);
+    [[nodiscard]] std::string text(TableStyle style) const;
+
+  private:
+    std::vector<std::string> label_cells(const Settings& row) const;
+    std::vector<Key> swept_;
+    std::vector<std::vector<std::string>> rows_;
+    std::vector<std::string> notes_;
+};
+
+}  // namespace bioprint

@@ -1,0 +1,101 @@
+#include "bioprint/predict/case.hpp"
+
+#include <cmath>
+#include <sstream>
+#include <string_view>
+
+namespace bioprint {
+namespace {
+
+/// Collects one sentence for each quantity out of its range.
+class Findings {
+  public:
+    void require(bool holds, std::string_view name, double value, std::string_view remedy) {
+        if (holds && std::isfinite(value)) return;
+        std::ostringstream sentence;
+        sentence << name << ": got " << value << "; it must be " << remedy;
+        sentences_.push_back(sentence.str());
+    }
+    void add(std::string sentence) { sentences_.push_back(std::move(sentence)); }
+    std::vector<std::string> take() { return std::move(sentences_); }
+    [[nodiscard]] bool empty() const { return sentences_.empty(); }
+
+  private:
+    std::vector<std::string> sentences_;
+};
+
+std::string_view drive_name(Drive drive) {
+    switch (drive) {
+        case Drive::flow_rate:
+            return "flowrate";
+        case Drive::velocity:
+            return "velocity";
+        case Drive::pressure_gradient:
+            return "pressure-gradient";
+        case Drive::pressure:
+            return "pressure";
+    }
+    return "";
+}
+
+void check_positions(const Case& question, Findings& findings) {
+    for (const CellPosition& position : question.positions) {
+        findings.require(position.value >= 0.0, "offset", position.value, "zero or positive");
+        if (!findings.empty()) continue;
+        const double r = position.in_cell_radii ? position.value * question.cell.radius : position.value;
+        // The touching position is allowed, however it was rounded.
+        if (r + question.cell.radius > question.radius * (1.0 + 1e-12)) {
+            std::ostringstream sentence;
+            sentence << "offset: a cell of radius " << question.cell.radius << " m at " << r
+                     << " m from the axis does not fit a nozzle of radius " << question.radius
+                     << " m; its centre may be at most " << question.radius - question.cell.radius
+                     << " m off";
+            findings.add(sentence.str());
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> problems_of(const Case& question) {
+    Findings findings;
+    const CrossInk& law = question.ink.law;
+    const CellChoice& cell = question.cell;
+    findings.require(question.radius > 0.0, "radius", question.radius, "positive, such as 50um");
+    if (question.length)
+        findings.require(*question.length > 0.0, "length", *question.length, "positive, such as 12.7mm");
+    findings.require(question.drive_value >= 0.0, drive_name(question.drive), question.drive_value,
+                     "zero or positive");
+    if (question.drive == Drive::pressure && !question.length) {
+        findings.add("pressure: drives the flow only together with the nozzle's length; add --length");
+    }
+    findings.require(law.eta0 > 0.0, "eta0", law.eta0, "positive, such as 10Pa.s");
+    findings.require(law.eta_inf >= 0.0 && law.eta_inf <= law.eta0, "eta-inf", law.eta_inf,
+                     "between 0 and eta0");
+    findings.require(law.time_constant > 0.0, "time-constant", law.time_constant,
+                     "positive, such as 0.05s (for a Newtonian ink of viscosity v use alpha 0 and eta0 2v)");
+    findings.require(law.alpha >= 0.0, "alpha", law.alpha, "zero or positive, such as 0.75");
+    findings.require(cell.radius > 0.0, "cell-radius", cell.radius, "positive, such as 8um");
+    findings.require(cell.shear_modulus > 0.0, "shear-modulus", cell.shear_modulus, "positive, such as 1kPa");
+    findings.require(cell.viscosity_ratio >= 0.0, "viscosity-ratio", cell.viscosity_ratio,
+                     "zero or positive");
+    findings.require(cell.poisson_ratio > -1.0 && cell.poisson_ratio < 0.5, "poisson-ratio",
+                     cell.poisson_ratio, "above -1 and below 0.5, such as 0.48");
+    if (question.profile_points != 0) {
+        findings.require(question.profile_points >= 2 && question.profile_points <= 1000000, "profile",
+                         question.profile_points, "between 2 and 1000000 points");
+    }
+    if (findings.empty()) {
+        if (cell.radius > question.radius) {
+            std::ostringstream sentence;
+            sentence << "cell-radius: a cell of radius " << cell.radius
+                     << " m does not fit a nozzle of radius " << question.radius << " m; use a wider nozzle";
+            findings.add(sentence.str());
+        } else {
+            check_positions(question, findings);
+        }
+    }
+    return findings.take();
+}
+
+}  // namespace bioprint

@@ -1,0 +1,134 @@
+#include "predict/exit_axis.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "predict/exit_axis_table.hpp"
+
+namespace bioprint {
+namespace {
+
+constexpr double tail_length = 1.2;
+constexpr double power = 0.6;
+
+/// β(X) from X = −1.4 in steps of 0.1: the r² part of the velocity near the axis of the Newtonian
+/// finite-element solution over its value in the nozzle. It leaves as 1 − β = 8e-4 e^((X+1.4)/0.11) and fades
+/// as e^(−X/0.31).
+constexpr double shear_first = -1.4;
+constexpr double shear_step = 0.1;
+constexpr std::array<double, 35> shear{0.9992, 0.9979, 0.9956, 0.9915, 0.9848, 0.9741, 0.9577, 0.9339, 0.9011,
+                                       0.8588, 0.8082, 0.7527, 0.6971, 0.6461, 0.6013, 0.5603, 0.5183, 0.4708,
+                                       0.4166, 0.3576, 0.2976, 0.2408, 0.1901, 0.1470, 0.1117, 0.0837, 0.0621,
+                                       0.0456, 0.0332, 0.0241, 0.0174, 0.0125, 0.0089, 0.0064, 0.0045};
+
+/// Cubic through b and c with the slopes their neighbours give.
+double cubic(double a, double b, double c, double d, double t) {
+    const double m = 0.5 * (c - a);
+    const double n = 0.5 * (d - b);
+    return b + t * (m + t * (3.0 * (c - b) - 2.0 * m - n + t * (2.0 * (b - c) + m + n)));
+}
+
+double shear_part(double x) {
+    const double u = (x - shear_first) / shear_step;
+    if (u <= 0.0) return 1.0 - (1.0 - shear.front()) * std::exp(shear_step * u / 0.11);
+    const auto last = static_cast<double>(shear.size() - 1);
+    if (u >= last) return shear.back() * std::exp(-shear_step * (u - last) / 0.31);
+    const auto i = std::min(static_cast<std::size_t>(u), shear.size() - 2);
+    return cubic(i > 0 ? shear[i - 1] : 1.0, shear[i], shear[i + 1], shear[std::min(i + 2, shear.size() - 1)],
+                 u - static_cast<double>(i));
+}
+
+/// Position among ascending knots: which interval and how far in it; clamped to the ends.
+struct Place {
+    std::size_t index;
+    double part;
+};
+
+template <std::size_t N, typename Scale>
+Place place(const std::array<double, N>& knots, double x, Scale&& scale) {
+    x = std::clamp(x, knots.front(), knots.back());
+    std::size_t i = 0;
+    while (i + 2 < N && x > knots[i + 1]) ++i;
+    return {.index = i, .part = (scale(x) - scale(knots[i])) / (scale(knots[i + 1]) - scale(knots[i]))};
+}
+
+/// Cubic in one direction; the end knots are continued in a straight line.
+template <std::size_t N, typename Value>
+double interpolate(const Place& p, Value&& value) {
+    const double b = value(p.index);
+    const double c = value(p.index + 1);
+    const double a = p.index > 0 ? value(p.index - 1) : 2.0 * b - c;
+    const double d = p.index + 2 < N ? value(p.index + 2) : 2.0 * c - b;
+    return cubic(a, b, c, d, p.part);
+}
+
+ExitShape exit_shape(double alpha, double rate) {
+    const Place in_alpha = place(exit_alphas, alpha, [](double x) { return x; });
+    const Place in_rate = place(exit_rates, rate, [](double x) { return std::log(x); });
+    const auto read = [&](double ExitShape::*member) {
+        return interpolate<exit_alphas.size()>(in_alpha, [&](std::size_t i) {
+            return interpolate<exit_rates.size()>(in_rate,
+                                                  [&](std::size_t j) { return exit_shapes[i][j].*member; });
+        });
+    };
+    ExitShape shape{
+        .x0 = read(&ExitShape::x0), .w = read(&ExitShape::w), .c = std::max(0.0, read(&ExitShape::c))};
+    if (rate < exit_rates.front()) {
+        const ExitShape& newtonian = exit_shapes.front().front();
+        const double part = std::pow(rate / exit_rates.front(), alpha);
+        shape = {.x0 = newtonian.x0 + part * (shape.x0 - newtonian.x0),
+                 .w = newtonian.w + part * (shape.w - newtonian.w),
+                 .c = newtonian.c + part * (shape.c - newtonian.c)};
+    }
+    return shape;
+}
+
+}  // namespace
+
+ExitAxis::ExitAxis(const NozzleFlow& flow)
+    : radius_(flow.radius()),
+      velocity_average_(flow.velocity_average()),
+      velocity_excess_(flow.velocity_excess()),
+      pressure_gradient_(flow.pressure_gradient()) {
+    const double alpha = flow.ink().alpha;
+    const double rate = flow.ink().time_constant * velocity_average_ / radius_;
+    extrapolated_ = alpha > exit_alphas.back() || (alpha > 0.0 && rate > exit_rates.back());
+    const ExitShape s = exit_shape(alpha, rate);
+    for (std::size_t i = 0; i < size; ++i) {
+        const double x = first + step * static_cast<double>(i) - s.x0;
+        const double sharp = std::exp(std::min(x / s.w, 300.0));
+        const double tail = s.c * std::exp(x / tail_length);
+        const double g = 1.0 + sharp + tail;
+        const double slope = (sharp / s.w + tail / tail_length) / g;
+        const double bend = (sharp / (s.w * s.w) + tail / (tail_length * tail_length)) / g;
+        const double f = std::pow(g, -power);
+        knots_[i] = {.value = f,
+                     .slope = -power * f * slope * step,
+                     .bend = power * f * ((power + 1.0) * slope * slope - bend) * step * step};
+    }
+}
+
+AxisFlow ExitAxis::operator()(double x) const {
+    const double position = (std::clamp(x / radius_, first, -first) - first) / step;
+    const auto i = std::min(static_cast<std::size_t>(position), size - 2);
+    const double t = position - static_cast<double>(i);
+    const Knot& a = knots_[i];
+    const Knot& b = knots_[i + 1];
+    // The polynomial of degree five with the knots' values, slopes and bends.
+    const double d0 = b.value - a.value - a.slope - 0.5 * a.bend;
+    const double d1 = b.slope - a.slope - a.bend;
+    const double d2 = b.bend - a.bend;
+    const double c3 = 10.0 * d0 - 4.0 * d1 + 0.5 * d2;
+    const double c4 = -15.0 * d0 + 7.0 * d1 - d2;
+    const double c5 = 6.0 * d0 - 3.0 * d1 + 0.5 * d2;
+    const double f = a.value + t * (a.slope + t * (0.5 * a.bend + t * (c3 + t * (c4 + t * c5))));
+    const double df = a.slope + t * (a.bend + t * (3.0 * c3 + t * (4.0 * c4 + t * 5.0 * c5)));
+    const double ddf = a.bend + t * (6.0 * c3 + t * (12.0 * c4 + t * 20.0 * c5));
+    const double length = step * radius_;
+    return {.velocity = velocity_average_ + velocity_excess_ * f,
+            .elongation = velocity_excess_ * df / length,
+            .axial = 0.5 * velocity_excess_ * ddf / (length * length),
+            .radial = -0.25 * pressure_gradient_ * shear_part(x / radius_)};
+}
+
+}  // namespace bioprint

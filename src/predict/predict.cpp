@@ -1,0 +1,225 @@
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "bioprint/cell/bullet.hpp"
+#include "bioprint/cell/roscoe.hpp"
+#include "bioprint/errors.hpp"
+#include "bioprint/flow/nozzle_exit.hpp"
+#include "bioprint/flow/nozzle_flow.hpp"
+#include "bioprint/predict/exit_passage.hpp"
+#include "bioprint/predict/prediction.hpp"
+#include "predict/warnings.hpp"
+
+namespace bioprint {
+namespace {
+
+void require_sound(const Case& question) {
+    const std::vector<std::string> problems = problems_of(question);
+    if (problems.empty()) return;
+    std::string message = problems.front();
+    for (std::size_t i = 1; i < problems.size(); ++i) message += "\n" + problems[i];
+    throw UsageError(message);
+}
+
+NozzleFlow flow_of(const Case& question) {
+    const CrossInk& law = question.ink.law;
+    switch (question.drive) {
+        case Drive::flow_rate:
+            return NozzleFlow::from_flow_rate(law, question.radius, question.drive_value);
+        case Drive::velocity:
+            return NozzleFlow::from_velocity(law, question.radius, question.drive_value);
+        case Drive::pressure_gradient:
+            return NozzleFlow::from_pressure_gradient(law, question.radius, question.drive_value);
+        case Drive::pressure:
+            break;
+    }
+    return NozzleFlow::from_pressure_gradient(law, question.radius,
+                                              question.drive_value / question.length.value());
+}
+
+/// As lengths; without any asked for, the paper's four, as far as they fit.
+std::vector<CellPosition> resolve_positions(const Case& question) {
+    const double largest = question.radius - question.cell.radius;
+    std::vector<CellPosition> positions;
+    if (question.positions.empty()) {
+        for (const double radii : {0.0, 1.5, 3.0, 4.5}) {
+            if (radii * question.cell.radius <= largest) positions.push_back({radii * question.cell.radius});
+        }
+        return positions;
+    }
+    for (const CellPosition& p : question.positions) {
+        positions.push_back({std::min(p.in_cell_radii ? p.value * question.cell.radius : p.value, largest)});
+    }
+    return positions;
+}
+
+NozzleAnswer nozzle_answer(const NozzleFlow& flow, const Case& question) {
+    NozzleAnswer answer{.flow_rate = flow.flow_rate(),
+                        .pressure_gradient = flow.pressure_gradient(),
+                        .velocity_average = flow.velocity_average(),
+                        .velocity_max = flow.velocity_max(),
+                        .shear_rate_max = flow.shear_rate_max(),
+                        .shear_rate_average = flow.shear_rate_average(),
+                        .stress_max = flow.stress_max(),
+                        .stress_average = flow.stress_average(),
+                        .viscosity_wall = viscosity(flow.ink(), flow.shear_rate_max()),
+                        .pressure_drop = std::nullopt,
+                        .residence_time = std::nullopt};
+    if (question.drive == Drive::flow_rate) answer.flow_rate = question.drive_value;
+    if (question.length) {
+        answer.pressure_drop = question.drive == Drive::pressure
+                                   ? question.drive_value
+                                   : flow.pressure_gradient() * *question.length;
+        if (flow.velocity_average() > 0.0) answer.residence_time = *question.length / flow.velocity_average();
+    }
+    return answer;
+}
+
+CellAnswer blank_cell(Place place, Model model, double offset, double fluid_stress, const CellChoice& cell) {
+    return {.place = place,
+            .model = model,
+            .offset = offset,
+            .offset_in_cell_radii = offset / cell.radius,
+            .fluid_stress = fluid_stress,
+            .stress_ratio = fluid_stress / cell.shear_modulus,
+            .stretch = std::nullopt,
+            .angle = std::nullopt,
+            .frequency = std::nullopt,
+            .stress = std::nullopt,
+            .relaxation_time = std::nullopt};
+}
+
+void fill(CellAnswer& answer, const EllipsoidState& state) {
+    answer.stretch = state.stretch;
+    answer.angle = state.angle;
+    answer.frequency = state.frequency;
+    answer.stress =
+        CellStress{.von_mises = state.von_mises, .elastic = state.elastic, .viscous = state.viscous};
+}
+
+CellAnswer cell_in_nozzle(const NozzleFlow& flow, const CellChoice& cell, double offset) {
+    if (offset == 0.0) {
+        CellAnswer answer = blank_cell(Place::nozzle, Model::bullet, 0.0, 0.0, cell);
+        const BulletState state = bullet({.pressure_gradient = flow.pressure_gradient(),
+                                          .viscosity = viscosity(flow.ink(), 0.0),
+                                          .cell_radius = cell.radius,
+                                          .shear_modulus = cell.shear_modulus});
+        // To the order of the theory the cell keeps its length and width, and its mean stress components
+        // vanish: the load is in the von Mises stress, which has no sign to cancel.
+        answer.stretch = {1.0, 1.0, 1.0};
+        answer.stress = CellStress{.von_mises = state.von_mises, .elastic = {0.0, 0.0, 0.0}, .viscous = 0.0};
+        return answer;
+    }
+    const double fluid_stress = flow.stress(offset);
+    CellAnswer answer = blank_cell(Place::nozzle, Model::roscoe_shear, offset, fluid_stress, cell);
+    fill(answer, roscoe_shear({.fluid_stress = fluid_stress,
+                               .shear_rate = flow.shear_rate(offset),
+                               .shear_modulus = cell.shear_modulus,
+                               .viscosity_ratio = cell.viscosity_ratio}));
+    return answer;
+}
+
+CellAnswer cell_in_exit(const NozzleFlow& flow, const ExitAnswer& exit, const CellChoice& cell) {
+    CellAnswer answer =
+        blank_cell(Place::exit, Model::roscoe_elongation, 0.0, exit.elongational_stress, cell);
+    const std::optional<EllipsoidState> state =
+        roscoe_elongation({.fluid_stress = exit.elongational_stress,
+                           .shear_modulus = cell.shear_modulus,
+                           .direction = ElongationDirection::compression});
+    if (state) fill(answer, *state);
+    answer.relaxation_time =
+        relaxation_time(viscosity(flow.ink(), 0.0), cell.shear_modulus, cell.viscosity_ratio);
+    return answer;
+}
+
+/// The centred cell carried through the exit, at the moment of its largest stress.
+void add_exit_passage(const NozzleFlow& flow, Prediction& prediction) {
+    const CellChoice& cell = prediction.question.cell;
+    CellAnswer answer = blank_cell(Place::exit, Model::ellipsoid, 0.0, 0.0, cell);
+    answer.relaxation_time =
+        relaxation_time(viscosity(flow.ink(), 0.0), cell.shear_modulus, cell.viscosity_ratio);
+    try {
+        const ExitPassage exit = exit_passage(flow, {.cell = {.radius = cell.radius,
+                                                              .shear_modulus = cell.shear_modulus,
+                                                              .viscosity_ratio = cell.viscosity_ratio}});
+        const AxisCellState& peak = exit.passage.peak;
+        const double axial = peak.axial_stretch * peak.axial_stretch;
+        const double radial = 1.0 / peak.axial_stretch;
+        const double mean = cell.shear_modulus / 3.0 * 2.0 * (axial - radial);
+        answer.fluid_stress = peak.fluid_stress;
+        answer.stress_ratio = peak.fluid_stress / cell.shear_modulus;
+        answer.stretch = {peak.axial_stretch, peak.radial_stretch, peak.radial_stretch};
+        answer.stress = CellStress{
+            .von_mises = peak.von_mises, .elastic = {mean, -0.5 * mean, -0.5 * mean}, .viscous = 0.0};
+        if (exit.extrapolated) {
+            prediction.warnings.push_back(
+                {"exit_extrapolated",
+                 "the exit flow of this ink and speed lies outside the tabulated ones: the ellipsoid "
+                 "there uses the nearest profile"});
+        }
+    } catch (const Error& e) {
+        prediction.warnings.push_back(
+            {"no_transient", std::string("the cell could not be followed through the exit: ") + e.what()});
+    }
+    prediction.cells.push_back(answer);
+}
+
+RadialProfile profile_of(const NozzleFlow& flow, int points) {
+    RadialProfile profile;
+    for (int i = 0; i < points; ++i) {
+        const double r = i == points - 1 ? flow.radius() : flow.radius() * i / (points - 1);
+        const double rate = flow.shear_rate(r);
+        profile.r.push_back(r);
+        profile.velocity.push_back(flow.velocity(r));
+        profile.shear_rate.push_back(rate);
+        profile.viscosity.push_back(viscosity(flow.ink(), rate));
+        profile.stress.push_back(flow.stress(r));
+    }
+    return profile;
+}
+
+/// The inputs are finite, but their product need not be: 1e300 Pa over 1e-300 m is no pressure gradient.
+void require_finite(const NozzleAnswer& nozzle, const ExitAnswer& exit) {
+    for (const double value : {nozzle.flow_rate, nozzle.pressure_gradient, nozzle.velocity_max,
+                               nozzle.shear_rate_max, nozzle.stress_max, nozzle.pressure_drop.value_or(0.0),
+                               nozzle.residence_time.value_or(0.0), exit.elongational_stress}) {
+        if (!std::isfinite(value)) {
+            throw NoSteadyFlow(
+                "no steady flow: the inputs are so far apart that the flow is beyond any number; "
+                "check the units of radius, load and ink");
+        }
+    }
+}
+
+}  // namespace
+
+Prediction predict(const Case& question) {
+    require_sound(question);
+    const NozzleFlow flow = flow_of(question);
+    const NozzleExit exit = nozzle_exit(flow);
+
+    Prediction prediction{
+        .question = question,
+        .nozzle = nozzle_answer(flow, question),
+        .exit = {.elongation_rate = exit.elongation_rate, .elongational_stress = exit.elongational_stress},
+        .cells = {},
+        .profile = std::nullopt,
+        .warnings = {}};
+    require_finite(prediction.nozzle, prediction.exit);
+    prediction.question.positions = resolve_positions(question);
+    for (const CellPosition& position : prediction.question.positions) {
+        prediction.cells.push_back(cell_in_nozzle(flow, question.cell, position.value));
+        if (position.value == 0.0) {
+            prediction.cells.push_back(cell_in_exit(flow, prediction.exit, question.cell));
+            if (question.transient && flow.velocity_average() > 0.0) add_exit_passage(flow, prediction);
+        }
+    }
+    if (question.profile_points > 0) prediction.profile = profile_of(flow, question.profile_points);
+    std::vector<Warning> warnings = warnings_of(prediction, flow);
+    prediction.warnings.insert(prediction.warnings.begin(), std::make_move_iterator(warnings.begin()),
+                               std::make_move_iterator(warnings.end()));
+    return prediction;
+}
+
+}  // namespace bioprint

@@ -1,0 +1,184 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "cli/command.hpp"
+
+using bioprint::test::Outcome;
+using bioprint::test::read_scratch;
+using bioprint::test::run;
+using bioprint::test::scratch_exists;
+using bioprint::test::write_scratch;
+using nlohmann::json;
+
+namespace {
+
+std::vector<std::string> lines(const std::string& text) {
+    std::vector<std::string> result;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) result.push_back(line);
+    return result;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+/// The value in the column called `name` of a row without quotes.
+std::string cell(const std::string& table, std::size_t row, const std::string& name, char separator = ',') {
+    const auto split = [&](const std::string& line) {
+        std::vector<std::string> fields;
+        std::istringstream in(line.substr(0, line.find('\r')));
+        for (std::string field; std::getline(in, field, separator);) fields.push_back(field);
+        return fields;
+    };
+    const std::vector<std::string> all = lines(table);
+    const std::vector<std::string> names = split(all.at(0));
+    const auto found = std::find(names.begin(), names.end(), name);
+    REQUIRE(found != names.end());
+    const std::vector<std::string> fields = split(all.at(row));
+    const auto index = static_cast<std::size_t>(found - names.begin());
+    return index < fields.size() ? fields[index] : "";
+}
+
+}  // namespace
+
+TEST_CASE("csv batch: the user's columns come back byte for byte with ours behind them") {
+    const std::string table =
+        "sample,radius,\"flow rate note\",flowrate\n"
+        "A1,50um,\"a, \"\"quoted\"\" note\",141uL/h\n"
+        "B2, 60um ,,20 uL/min\n";
+    const Outcome outcome = run("--batch -", table);
+    CHECK(outcome.status == 0);
+    const std::vector<std::string> in = lines(table);
+    const std::vector<std::string> out = lines(outcome.out);
+    REQUIRE(out.size() == 3);
+    for (std::size_t i = 0; i < 3; ++i) CHECK(out[i].substr(0, in[i].size() + 1) == in[i] + ",");
+    CHECK(cell(outcome.out, 2, "input.radius [m]") == "6e-05");
+    CHECK(contains(outcome.err, "'sample'"));
+}
+
+TEST_CASE("csv batch: a second run over its own output changes no byte") {
+    const std::string table = "sample,radius,alpha\nA,50um,0.75\nB,40um,0.3\nC,-1um,0.3\n";
+    const std::string once = run("--batch - -q", table).out;
+    CHECK(run("--batch - -q", once).out == once);
+}
+
+TEST_CASE("csv batch: an answer alone can be asked again") {
+    const std::string answers = run("--alpha 0,0.3 --radius 40um --format csv").out;
+    const Outcome again = run("--batch - -q", answers);
+    CHECK(again.status == 0);
+    CHECK(cell(again.out, 2, "nozzle.stress_max [Pa]") == cell(answers, 2, "nozzle.stress_max [Pa]"));
+}
+
+TEST_CASE("csv batch: separator and decimal comma and byte order mark and line ends are mirrored") {
+    const std::string table = "\xEF\xBB\xBFProbe;radius [um];alpha\r\nA;50,5;0,75\r\nB;40;0,3\r\n";
+    const Outcome outcome = run("--batch - -q", table);
+    CHECK(outcome.status == 0);
+    CHECK(outcome.out.substr(0, 3) == "\xEF\xBB\xBF");
+    const std::string body = outcome.out.substr(3);
+    CHECK(cell(body, 1, "input.radius [m]", ';') == "5,05e-05");
+    CHECK(cell(body, 1, "input.ink.alpha", ';') == "0,75");
+    CHECK(body.substr(body.size() - 2) == "\r\n");
+    CHECK(run("--batch - -q", outcome.out).out == outcome.out);
+}
+
+TEST_CASE("csv batch: a missing last line end stays missing") {
+    const std::string out = run("--batch - -q", "radius\n50um").out;
+    CHECK(out.back() != '\n');
+    CHECK(run("--batch - -q", out).out == out);
+}
+
+TEST_CASE("csv batch: a bad row is answered in place and the others go on with status 6") {
+    const Outcome outcome =
+        run("--batch - -q", "name,radius,alpha\na,50um,0.75\nb,5s,0.75\nc,60um\nd,50um,2\ne,50um,0\n");
+    CHECK(outcome.status == 6);
+    CHECK(lines(outcome.out).size() == 6);
+    CHECK(cell(outcome.out, 2, "error.code") == "usage");
+    CHECK(cell(outcome.out, 3, "error.code") == "usage");
+    CHECK(cell(outcome.out, 1, "error.code").empty());
+    CHECK(cell(outcome.out, 5, "nozzle.stress_max [Pa]") == "2000");
+}
+
+TEST_CASE("csv batch: text of ours that a spreadsheet would run is disarmed") {
+    const Outcome outcome = run("--batch - -q", "radius,ink\n50um,=cmd()\n");
+    CHECK(outcome.status == 6);
+    const std::string row = lines(outcome.out).at(1);
+    CHECK(row.substr(0, 13) == "50um,=cmd(),,");  // the user's own cell is his
+    CHECK(row.find(",=", 5) == std::string::npos);
+}
+
+TEST_CASE("csv batch: the options of the command line are the rows' defaults") {
+    const Outcome outcome =
+        run("--batch - -q --alpha 0 --needle 25G --tip steel", "radius,velocity\n50um,\n,1mm/s\n");
+    CHECK(cell(outcome.out, 1, "input.radius [m]") == "5e-05");
+    CHECK(cell(outcome.out, 2, "input.radius [m]") == "0.000125");
+    CHECK(cell(outcome.out, 2, "input.ink.alpha") == "0");
+    CHECK(cell(outcome.out, 1, "nozzle.velocity_average [m/s]") == "0.005");
+}
+
+TEST_CASE("csv batch: rows choose their positions") {
+    const Outcome outcome = run("--batch - -q", "offset\n\"0,2Rc\"\n20um\n");
+    CHECK(outcome.status == 0);
+    CHECK(contains(outcome.out, "cells.2.offset"));
+    CHECK(run("--batch - -q", "offset\n20um\n\"0,1Rc,2Rc\"\n").status == 6);
+}
+
+TEST_CASE("csv batch: what cannot be understood is refused with the remedy") {
+    CHECK(run("--batch -", "a,b\n1,2\n").status == 2);
+    CHECK(run("--batch -", "").status == 2);
+    CHECK(run("--batch -", "radius,diameter,radius\n1,2,3\n").status == 2);
+    CHECK(run("--batch - --alpha 0,0.5", "radius\n50um\n").status == 2);
+    CHECK(run("--batch - --format table", "radius\n50um\n").status == 2);
+}
+
+TEST_CASE("json lines batch: an object a line in and out") {
+    const Outcome outcome =
+        run("--batch -",
+            "{\"radius\": \"50um\", \"alpha\": 0}\n"
+            "{\"input\": {\"radius\": 6e-5, \"ink\": {\"alpha\": 0.3}}, \"offset\": [0, \"2Rc\"]}\n"
+            "{\"radius\": \"50um\", \"bogus\": 1}\n"
+            "not json\n");
+    CHECK(outcome.status == 6);
+    const std::vector<std::string> rows = lines(outcome.out);
+    REQUIRE(rows.size() == 4);
+    CHECK(json::parse(rows[0])["nozzle"]["pressure_gradient"] == 8e7);
+    CHECK(json::parse(rows[1])["input"]["offsets"] == json::array({0.0, 16e-6}));
+    CHECK(json::parse(rows[2])["error"]["option"] == "bogus");
+    CHECK(contains(json::parse(rows[3])["error"]["message"], "line 4"));
+}
+
+TEST_CASE("json lines batch: an answer's input asks the same question again") {
+    const json answer = json::parse(run("--radius 40um --alpha 0.3 --json").out);
+    const std::string question = json({{"input", answer["input"]}}).dump() + "\n";
+    CHECK(json::parse(run("--batch -", question).out)["nozzle"] == answer["nozzle"]);
+}
+
+TEST_CASE("batch: json and csv and single values can be asked of either kind") {
+    CHECK(json::parse(run("--batch - --json", "{\"alpha\": 0}\n{\"alpha\": 0.5}\n").out).size() == 2);
+    CHECK(json::parse(run("--batch - -q --json", "alpha\n0\n0.5\n").out).size() == 2);
+    CHECK(lines(run("--batch - --format csv", "{\"alpha\": 0}\n{\"alpha\": 0.5}\n").out).size() == 3);
+    CHECK(run("--batch - -q --get input.ink.alpha", "alpha\n0\n0.5\n").out == "0\n0.5\n");
+}
+
+TEST_CASE("batch: an output file is written whole and replaces its own input") {
+    write_scratch("runs.csv", "radius\n50um\n60um\n");
+    CHECK(run("--batch runs.csv -o runs.csv -q").status == 0);
+    const std::string once = read_scratch("runs.csv");
+    CHECK(lines(once).size() == 3);
+    CHECK(run("--batch runs.csv -o runs.csv -q").status == 0);
+    CHECK(read_scratch("runs.csv") == once);
+}
+
+TEST_CASE("batch: the bytes do not depend on the number of threads") {
+    std::string table = "id,radius,alpha\n";
+    for (int i = 0; i < 5000; ++i) {
+        table +=
+            std::to_string(i) + "," + std::to_string(20 + i % 80) + "um,0." + std::to_string(i % 90) + "\n";
+    }
+    CHECK(run("--batch - -q --jobs 1", table).out == run("--batch - -q --jobs 3", table).out);
+}

@@ -1,0 +1,176 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "cli/command.hpp"
+
+using bioprint::test::Outcome;
+using bioprint::test::read_scratch;
+using bioprint::test::run;
+using bioprint::test::scratch_exists;
+using bioprint::test::write_scratch;
+using nlohmann::json;
+
+namespace {
+
+std::vector<std::string> lines(const std::string& text) {
+    std::vector<std::string> result;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) result.push_back(line);
+    return result;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("command: without options it answers for the reference case") {
+    const Outcome outcome = run("");
+    CHECK(outcome.status == 0);
+    CHECK(contains(outcome.out, "17.4 MPa/m"));
+    CHECK(contains(outcome.out, "Notes"));
+    CHECK(outcome.err.empty());
+    CHECK_FALSE(contains(outcome.out, "\033["));  // colour is for terminals
+}
+
+TEST_CASE("command: no line of the table is wider than 80 columns") {
+    for (const std::string& line : lines(run("--length 12.7mm --needle 25G --profile 5").out)) {
+        const auto width = std::count_if(line.begin(), line.end(), [](char c) { return (c & 0xC0) != 0x80; });
+        CAPTURE(line);
+        CHECK(width <= 80);
+    }
+}
+
+TEST_CASE("command: get prints one value alone in its shortest form") {
+    CHECK(run("--radius 50um --velocity 5mm/s --alpha 0 --get nozzle.pressure_gradient").out == "8e+07\n");
+    CHECK(run("--get input.radius --get cells.0.model").out == "5e-05\nbullet\n");
+    CHECK(run("--get nozzle.pressure_drop").out == "null\n");
+    const Outcome wrong = run("--get nozzle.presure");
+    CHECK(wrong.status == 2);
+    CHECK(wrong.out.empty());
+    CHECK(contains(wrong.err, "pressure_gradient"));
+}
+
+TEST_CASE("command: every problem of a call is told at once with status 2") {
+    const Outcome outcome = run("--radius 5s --alpha nan --flowrate --bogus");
+    CHECK(outcome.status == 2);
+    CHECK(outcome.out.empty());
+    CHECK(contains(outcome.err, "--radius: got '5s', a time; it takes a length such as 50um"));
+    CHECK(contains(outcome.err, "--alpha"));
+    CHECK(run("--radius -50um").status == 2);
+    CHECK(run("--radius inf").status == 2);
+    CHECK(run("--radius ''").status == 2);
+    CHECK(run("--cell-radius 60um").status == 2);
+    CHECK(run("--offset 45um").status == 2);
+    CHECK(run("--flowrate 1uL/s --velocity 5mm/s").status == 2);
+    CHECK(run("--radius 50um --needle 25G").status == 2);
+    CHECK(run("--radius 50um --radius 60um").status == 2);
+    CHECK(run("--pressure 1bar").status == 2);
+    CHECK(run("--tip steel").status == 2);
+    CHECK(run("--ink no-such-ink").status == 2);
+    CHECK(run("--format yaml").status == 2);
+    CHECK(run("--json --format csv").status == 2);
+    CHECK(run("--jobs 0").status == 2);
+    CHECK(run("--list sausages").status == 2);
+    CHECK(run("--profile 1").status == 2);
+    CHECK(run("stray").status == 2);
+}
+
+TEST_CASE("command: physics without an answer has status 3") {
+    const Outcome outcome = run("--alpha 2 --velocity 1m/s");
+    CHECK(outcome.status == 3);
+    CHECK(outcome.out.empty());
+    CHECK(contains(outcome.err, "no steady flow"));
+}
+
+TEST_CASE("command: a file that cannot be read or written has status 4") {
+    CHECK(run("--batch no-such-file.csv").status == 4);
+    CHECK(run("--output no/such/directory/x.json").status == 4);
+    CHECK(run("--ink ./no-such-ink.json").status == 4);
+    CHECK(run("--json --output /dev/full").status == 4);
+}
+
+TEST_CASE("command: help and version answer with status 0") {
+    CHECK(contains(run("--help").out, "--radius"));
+    CHECK(run("--help").status == 0);
+    CHECK(contains(run("--version").out, "bioprint-predict 1."));
+}
+
+TEST_CASE("command: the output file appears whole or not at all") {
+    CHECK(run("--json -o answer.json").status == 0);
+    CHECK(json::parse(read_scratch("answer.json"))["schema"] == "bioprint-predict/1");
+    CHECK(run("--alpha 2 --velocity 1m/s -o refused.json").status == 3);
+    CHECK_FALSE(scratch_exists("refused.json"));
+    write_scratch("old.json", "old");
+    CHECK(run("--alpha 2 --velocity 1m/s -o old.json").status == 3);
+    CHECK(read_scratch("old.json") == "old");
+}
+
+TEST_CASE("command: lists and ranges sweep with the last option fastest") {
+    const std::vector<std::string> rows =
+        lines(run("--radius 40,60um --alpha 0:0.75:0.25 --get input.radius --get input.ink.alpha").out);
+    REQUIRE(rows.size() == 8);
+    CHECK(rows[0] == "4e-05\t0");
+    CHECK(rows[3] == "4e-05\t0.75");
+    CHECK(rows[4] == "6e-05\t0");
+    const std::vector<std::string> swapped =
+        lines(run("--alpha 0:0.75:0.25 --radius 40,60um --get input.radius --get input.ink.alpha").out);
+    CHECK(swapped[1] == "6e-05\t0");
+}
+
+TEST_CASE("command: a sweep is an array in json and a line a row in jsonl and csv") {
+    CHECK(json::parse(run("--alpha 0,0.5 --json").out).size() == 2);
+    const std::vector<std::string> rows = lines(run("--alpha 0,0.5 --format jsonl").out);
+    REQUIRE(rows.size() == 2);
+    CHECK(json::parse(rows[1])["input"]["ink"]["alpha"] == 0.5);
+    CHECK(lines(run("--alpha 0,0.5 --format csv").out).size() == 3);
+}
+
+TEST_CASE("command: a row of a sweep that has no answer keeps its place and the status is 6") {
+    const Outcome outcome = run("--alpha 0,2 --velocity 1m/s --format jsonl");
+    CHECK(outcome.status == 6);
+    const std::vector<std::string> rows = lines(outcome.out);
+    REQUIRE(rows.size() == 2);
+    CHECK_FALSE(json::parse(rows[0]).contains("error"));
+    CHECK(json::parse(rows[1])["error"]["code"] == "no_steady_flow");
+}
+
+TEST_CASE("command: the bytes of a sweep do not depend on the number of threads") {
+    const std::string call = "--alpha 0:0.9:0.01 --radius 30:100:10um --format csv ";
+    CHECK(run(call + "--jobs 1").out == run(call + "--jobs 4").out);
+}
+
+TEST_CASE("command: a needle says which bore was used") {
+    const json answer = json::parse(run("--needle 25G --tip tapered --json").out);
+    CHECK(answer["input"]["radius"] == 125e-6);
+    CHECK(contains(answer["input"]["needle"]["name"], "25G"));
+    CHECK(contains(answer["warnings"].dump(), "tapered_tip"));
+    CHECK(contains(run("--needle 25G --json").out, "needle_bore"));
+}
+
+TEST_CASE("command: presets are listed with their sources") {
+    CHECK(contains(run("--list inks").out, "alginate-2.5"));
+    CHECK(contains(run("--list cells").out, "reference"));
+    CHECK(contains(run("--list nozzles").out, "25G"));
+}
+
+TEST_CASE("command: verbose adds the reference quadrature on standard error alone") {
+    const Outcome plain = run("--json");
+    const Outcome verbose = run("--json --verbose");
+    CHECK(plain.out == verbose.out);
+    CHECK(contains(verbose.err, "adaptive quadrature"));
+}
+
+TEST_CASE("command: the locale never matters") {
+    const std::string plain = run("--radius 50um --json").out;
+    setenv("LC_ALL", "de_DE.UTF-8", 1);
+    CHECK(run("--radius 50um --json").out == plain);
+    unsetenv("LC_ALL");
+}

@@ -1,0 +1,13 @@
+bioprint_tests(cli
+  SOURCES cli/command.cpp cli/calls.cpp cli/batches.cpp cli/schema.cpp support/schema.cpp
+  PRIVATE nlohmann_json::nlohmann_json)
+add_dependencies(test_cli bioprint-predict)
+target_compile_definitions(test_cli PRIVATE BIOPRINT_PROGRAM="$<TARGET_FILE:bioprint-predict>")
+
+bioprint_bench(command SOURCES bench/command.cpp)
+add_executable(bench_empty EXCLUDE_FROM_ALL bench/empty.cpp)
+target_link_options(bench_empty PRIVATE -Wl,--no-as-needed)
+target_link_libraries(bench_empty PRIVATE GSL::gsl GSL::gslcblas)
+add_dependencies(bench_command bench_empty bioprint-predict)
+target_compile_definitions(bench_command PRIVATE BIOPRINT_PROGRAM="$<TARGET_FILE:bioprint-predict>"
+                                                 BIOPRINT_EMPTY="$<TARGET_FILE:bench_empty>")
