@@ -7,7 +7,7 @@ namespace bioprint::lattice {
 namespace {
 
 /// Array starts one page and a few lines apart keep the nine streams out of each other's cache sets.
-constexpr std::ptrdiff_t stagger = 8 * 13;
+constexpr std::ptrdiff_t stagger = std::ptrdiff_t{8} * 13;
 
 }  // namespace
 

@@ -152,10 +152,11 @@ void check_exit(const Prediction& prediction, const NozzleFlow& flow, Collector&
         const double response = relaxation_time(viscosity(flow.ink(), prediction.exit.elongation_rate),
                                                 question.cell.shear_modulus, question.cell.viscosity_ratio);
         if (flow.velocity_average() > 0.0 && response > slow_cell_share * passage) {
-            warn.add("exit_transient", "the cell passes the exit in " + number(passage * 1e3) +
-                                           " ms and needs " + number(response * 1e3) +
-                                           " ms to follow the load: the steady stress there is an upper "
-                                           "estimate, the ellipsoid the better value");
+            warn.add("exit_transient",
+                     "the cell passes the exit in " + number(passage * 1e3) + " ms and needs " +
+                         number(response * 1e3) +
+                         " ms to follow the load: the steady entry is not what it bears; the "
+                         "ellipsoid is the better value");
         }
     }
 }
