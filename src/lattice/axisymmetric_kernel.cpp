@@ -43,6 +43,7 @@ template <class Task>
     double* const vr = row.velocity_r;
     const double s = row.inverse_radius;
     const double g = row.body_force;
+    const double hoop_factor = s * s / 3.0;
     const double uniform_t = ink.uniform_t();
     const double t_inf = ink.t_inf;
     const double t_span = ink.t0 - ink.t_inf;
@@ -62,24 +63,29 @@ template <class Task>
         const double n_rr = e3 + diagonal - m0 * (1.0 / 3.0);
         const double n_xr = e5 - e7;
 
-        const double lp = 1.0 / (t + 0.5);
+        // One division serves both relaxation rates and the implicit hoop stress.
+        const double a_even = t + 0.5;
+        const double a_odd = 0.5 * t + magic_parameter;
+        const double a_hoop = 1.0 + t * hoop_factor;
+        const double both = a_even * a_odd;
+        const double inverse = 1.0 / (both * a_hoop);
+        const double lp = a_odd * a_hoop * inverse;
         const double k = t * lp;
-        const double nu_s = t * (1.0 / 3.0) * s;
         double fx = g - k * n_xr * s;
         double fr = -k * n_rr * s;
         if constexpr (Task::forced) {
             fx += gx[i];
             fr += gr[i];
         }
-        const double ur = (o3 + o5 - o7 + 0.5 * fr) / (1.0 + nu_s * s);
+        const double ur = (o3 + o5 - o7 + 0.5 * fr) * (both * inverse);
         const double ux = o1 + o5 + o7 + 0.5 * fx;
-        fr -= 2.0 * nu_s * s * ur;
+        fr -= 2.0 * t * hoop_factor * ur;
         if constexpr (Task::forced) {
             vx[i] = ux;
             vr[i] = ur;
         }
         const double source = -ur * s;
-        const double lm = t / (0.5 * t + magic_parameter);
+        const double lm = t * a_even * a_hoop * inverse;
         const double even = lp * (m0 + 0.5 * source) + source * (1.0 - 0.5 * lp);
         const double odd_x = 3.0 * (lm * ux + fx * (1.0 - 0.5 * lm));
         const double odd_r = 3.0 * (lm * ur + fr * (1.0 - 0.5 * lm));

@@ -13,6 +13,7 @@ constexpr double longest_in_transits = 60.0;
 constexpr int control_interval = 64;
 constexpr double smallest_element = 0.85;  ///< of its undeformed volume
 constexpr double largest_element = 1.15;
+constexpr double largest_volume_drift = 0.02;
 constexpr double largest_start_strain = 0.3;
 
 /// The small-strain shape of a centred cell: displacements from the quadratic part of the ambient flow, κ =
@@ -60,6 +61,11 @@ class SettlingMonitor {
         change_ = change;
         return change / (1.0 - ratio) / std::abs(value);
     }
+    [[nodiscard]] std::vector<double> state() const { return {last_, change_}; }
+    void restore(std::span<const double> state) {
+        last_ = state[0];
+        change_ = state[1];
+    }
 
   private:
     double last_ = 0.0;
@@ -101,8 +107,38 @@ ImmersedCellSetup cell_setup(const Run& run, const LatticeUnits& units) {
             .volume_strength = bulk ? 0.0 : 0.02};
 }
 
-ChannelState run_channel(const Run& run) {
-    const LatticeUnits units = units_for_cell(run.scene, run.flow, run.nodes, run.log.options());
+namespace {
+
+/// The cell in its periodic stretch of nozzle, sample after sample.
+class ChannelRun {
+  public:
+    ChannelRun(const Run& run, const LatticeUnits& units);
+
+    void until_settled();
+    ChannelState finish();
+
+  private:
+    void advance();
+    void sample();
+    [[nodiscard]] Record record() const;
+    void resume(const std::vector<double>& values);
+
+    const Run& run_;
+    LatticeUnits units_;
+    lattice::AxisymmetricFlow flow_;
+    ImmersedCell cell_;
+    solid::RingShape rest_, shape_;
+    FlowRateControl control_;
+    SettlingMonitor monitor_;
+    long interval_ = 0;
+    long limit_ = 0;
+    long steps_ = 0;
+    double before_ = 0.0;  ///< the centre at the last sample
+    double velocity_ = 0.0;
+    bool steady_ = false;
+};
+
+lattice::AxisymmetricFlow periodic_nozzle(const Run& run, const LatticeUnits& units) {
     const LatticeProfile profile = lattice_profile(run.flow, units);
     const int length = (static_cast<int>(length_in_radii * run.nodes) + 15) / 16 * 16;
     lattice::AxisymmetricFlow flow({.length = length,
@@ -112,76 +148,142 @@ ChannelState run_channel(const Run& run) {
                                     .body_force = profile.pressure_gradient},
                                    units.relaxation(run.flow.ink()));
     flow.start(profile.velocity, profile.slope, 0.0);
-    ImmersedCell cell(cell_setup(run, units), 0.0);
-    const solid::RingShape rest = cell.shape();
-    start_as_bullet(cell,
-                    run.flow.pressure_gradient() * units.spacing / (4.0 * run.scene.cell.shear_modulus));
-    cell.shift(0.5 * length);
+    return flow;
+}
 
-    const double area = std::numbers::pi * run.nodes * run.nodes;
-    FlowRateControl control(flow, units.velocity_lu * area, units.viscosity_lu);
+ChannelRun::ChannelRun(const Run& run, const LatticeUnits& units)
+    : run_(run),
+      units_(units),
+      flow_(periodic_nozzle(run, units)),
+      cell_(cell_setup(run, units), 0.0),
+      rest_(cell_.shape()),
+      shape_(rest_),
+      control_(flow_, units.velocity_lu * std::numbers::pi * run.nodes * run.nodes, units.viscosity_lu) {
+    const double gradient = run.flow.pressure_gradient() * units.spacing;
+    start_as_bullet(cell_, gradient / (4.0 * run.scene.cell.shear_modulus));
+    cell_.shift(0.5 * flow_.domain().length);
+    before_ = cell_.shape().centre;
     const double transit = run.nodes / units.velocity_lu;  // steps
-    const auto interval = std::max(2L, std::lround(sample_in_transits * transit));
     const double channel_time = run.log.options().channel_time;
-    const auto limit = channel_time > 0.0 ? std::max(interval, std::lround(channel_time / units.time_step))
-                                          : std::lround(longest_in_transits * transit);
-    SettlingMonitor monitor;
-    auto& series = run.log.result.series;
-    series.columns = {"time [s]", "x [m]", "von_mises [Pa]", "stretch_axial", "stretch_radial", "volume"};
-    double velocity = 0.0;
-    double before = cell.shape().centre;
-    bool steady = false;
-    solid::RingShape shape = rest;
-    long n = 0;
-    while (n < limit && !steady) {
-        const long until = n + interval;
-        for (; n < until; ++n) {
-            cell.load(flow);
-            flow.step();
-            cell.move(flow);
-            if (n % control_interval == 0 && run.scene.drive == ChannelDrive::flow_rate) {
-                control.apply();
-            }
+    interval_ = std::max(2L, std::lround(sample_in_transits * transit));
+    limit_ = channel_time > 0.0 ? std::max(interval_, std::lround(channel_time / units.time_step))
+                                : std::lround(longest_in_transits * transit);
+    run.log.result.series = {
+        .columns = {"time [s]", "x [m]", "von_mises [Pa]", "stretch_axial", "stretch_radial", "volume"},
+        .rows = {}};
+    if (const auto* values = run.log.found("channel")) {
+        resume(*values);
+    }
+}
+
+Record ChannelRun::record() const {
+    Record r;
+    r.put(static_cast<double>(steps_));
+    r.put(before_);
+    r.put(velocity_);
+    r.put(steady_ ? 1.0 : 0.0);
+    r.put(monitor_.state());
+    r.put(cell_.state());
+    r.put(flow_.state());
+    for (const auto& row : run_.log.result.series.rows) {
+        r.put(row);
+    }
+    return r;
+}
+
+void ChannelRun::resume(const std::vector<double>& values) {
+    Record r(values);
+    steps_ = static_cast<long>(r.next());
+    before_ = r.next();
+    velocity_ = r.next();
+    steady_ = r.next() != 0.0;
+    monitor_.restore(r.next_list());
+    cell_.restore(r.next_list());
+    flow_.restore(r.next_list());
+    for (long n = 0; n < steps_ / interval_; ++n) {
+        const auto row = r.next_list();
+        run_.log.result.series.rows.emplace_back(row.begin(), row.end());
+    }
+    shape_ = cell_.shape();
+}
+
+void ChannelRun::advance() {
+    const long until = steps_ + interval_;
+    for (; steps_ < until; ++steps_) {
+        cell_.load(flow_);
+        flow_.step();
+        if (!cell_.move(flow_)) {
+            run_.log.stop("the cell broke down in the channel after " +
+                          std::to_string(static_cast<double>(steps_) * units_.time_step * 1e3) + " ms");
         }
-        shape = cell.shape();
-        if (!(shape.smallest_jacobian > 0.0)) {
-            run.log.count(n, static_cast<double>(length) * run.nodes);
-            run.log.stop("an element of the cell turned inside out in the channel after " +
-                         std::to_string(static_cast<double>(n) * units.time_step * 1e3) + " ms");
+        if (steps_ % control_interval == 0 && run_.scene.drive == ChannelDrive::flow_rate) {
+            control_.apply();
         }
-        velocity = (shape.centre - before) / static_cast<double>(interval) * units.velocity;
-        before = shape.centre;
-        series.rows.push_back({static_cast<double>(n) * units.time_step, shape.centre * units.spacing,
-                               shape.von_mises * units.stress, shape.length / rest.length,
-                               shape.width / rest.width, shape.volume / rest.volume});
-        const double distance = monitor.distance(shape.von_mises);
-        steady = n > 4 * interval && distance < run.log.options().settle_tolerance;
-        run.log.progress("channel",
-                         steady ? 1.0 : std::min(0.99, static_cast<double>(n) / static_cast<double>(limit)));
-        run.log.stop_if_cancelled();
     }
-    run.log.count(n, static_cast<double>(length) * run.nodes);
-    if (!steady && channel_time > 0.0) {
-        run.log.warn("channel-not-steady", "the cell's shape is not yet steady after its time in the nozzle");
-    } else if (!steady) {
-        run.log.warn("channel-not-steady", "the cell's shape in the nozzle has no steady state within " +
-                                               std::to_string(static_cast<int>(longest_in_transits)) +
-                                               " radii of travel; the values are those reached there");
+}
+
+void ChannelRun::sample() {
+    shape_ = cell_.shape();
+    if (!(shape_.smallest_jacobian > 0.0)) {
+        run_.log.stop("an element of the cell turned inside out in the channel after " +
+                      std::to_string(static_cast<double>(steps_) * units_.time_step * 1e3) + " ms");
     }
-    if (shape.jacobian_min < smallest_element || shape.jacobian_max > largest_element) {
-        run.log.warn("distorted-elements", "elements of the cell changed their volume by more than 15 %");
+    velocity_ = (shape_.centre - before_) / static_cast<double>(interval_) * units_.velocity;
+    before_ = shape_.centre;
+    run_.log.result.series.rows.push_back({static_cast<double>(steps_) * units_.time_step,
+                                           shape_.centre * units_.spacing, shape_.von_mises * units_.stress,
+                                           shape_.length / rest_.length, shape_.width / rest_.width,
+                                           shape_.volume / rest_.volume});
+    const double distance = monitor_.distance(shape_.von_mises);
+    steady_ = steps_ > 4 * interval_ && distance < run_.log.options().settle_tolerance;
+}
+
+void ChannelRun::until_settled() {
+    const double nodes = static_cast<double>(flow_.domain().length) * run_.nodes;
+    while (steps_ < limit_ && !steady_) {
+        advance();
+        run_.log.count(interval_, nodes);
+        sample();
+        const bool ended = steady_ || steps_ >= limit_;
+        run_.log.progress(
+            "channel",
+            ended ? 1.0 : std::min(0.99, static_cast<double>(steps_) / static_cast<double>(limit_)));
+        run_.log.keep("channel", ended, [&] { return record(); });
+        run_.log.stop_if_cancelled();
     }
-    if (std::abs(shape.volume / rest.volume - 1.0) > 0.02) {
-        run.log.warn("volume-drift", "the cell's volume changed by more than 2 %");
+}
+
+ChannelState ChannelRun::finish() {
+    if (!steady_) {
+        run_.log.warn("channel-not-steady",
+                      run_.log.options().channel_time > 0.0
+                          ? "the cell's shape is not yet steady after its time in the nozzle"
+                          : "the cell's shape in the nozzle has no steady state within " +
+                                std::to_string(static_cast<int>(longest_in_transits)) +
+                                " radii of travel; the values are those reached there");
     }
-    leave_values(run, shape, rest, velocity, units.stress);
-    leave_outline(run, cell, shape.centre, units.spacing);
-    report(run, units, length);
-    ChannelState state{.positions = {cell.positions().begin(), cell.positions().end()}, .steady = steady};
+    if (shape_.jacobian_min < smallest_element || shape_.jacobian_max > largest_element) {
+        run_.log.warn("distorted-elements", "elements of the cell changed their volume by more than 15 %");
+    }
+    if (std::abs(shape_.volume / rest_.volume - 1.0) > largest_volume_drift) {
+        run_.log.warn("volume-drift", "the cell's volume changed by more than 2 %");
+    }
+    leave_values(run_, shape_, rest_, velocity_, units_.stress);
+    leave_outline(run_, cell_, shape_.centre, units_.spacing);
+    report(run_, units_, flow_.domain().length);
+    ChannelState state{.positions = {cell_.positions().begin(), cell_.positions().end()}, .steady = steady_};
     for (auto& p : state.positions) {
-        p.x -= shape.centre;
+        p.x -= shape_.centre;
     }
     return state;
+}
+
+}  // namespace
+
+ChannelState run_channel(const Run& run) {
+    ChannelRun channel(run, units_for_cell(run.scene, run.flow, run.nodes, run.log.options()));
+    channel.until_settled();
+    return channel.finish();
 }
 
 }  // namespace bioprint

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 
 #include "simulate/exit_field.hpp"
 #include "simulate/scenes.hpp"
@@ -26,32 +27,36 @@ struct Sample {
 /// Carries the cell and samples it.
 class Passage {
   public:
-    Passage(const Run& run, const LatticeUnits& units, ImmersedCell& cell, const solid::RingShape& rest)
-        : run_(run), units_(units), cell_(cell), rest_(rest) {
+    Passage(const Run& run, const LatticeUnits& units, ImmersedCell& cell)
+        : run_(run), units_(units), cell_(cell), rest_(cell.shape()) {
         interval_ = std::max(2L, std::lround(sample_in_transits * run.nodes / units.velocity_lu));
+        run.log.result.series = {
+            .columns = {"time [s]", "x [m]", "von_mises [Pa]", "stretch_axial", "stretch_radial", "volume"},
+            .rows = {}};
     }
 
-    /// Steps until `enough` of the last sample; x of the samples is the lattice's plus `offset`, drifting by
-    /// `drift`.
+    /// Samples until one is `enough`; x of the samples is the lattice's plus `offset`, drifting by `drift` a
+    /// step.
     template <class Enough>
-    void carry(lattice::AxisymmetricFlow& flow, double offset, double drift, const char* stage,
+    void carry(const char* stage, lattice::AxisymmetricFlow& flow, double offset, double drift,
                Enough enough) {
         const double nodes = static_cast<double>(flow.domain().length) * run_.nodes;
-        const long first = steps_;
-        do {
-            for (long n = 0; n < interval_; ++n) {
-                cell_.load(flow);
-                flow.step();
-                cell_.move(flow);
-            }
-            steps_ += interval_;
+        long first = steps_;
+        if (const auto* values = run_.log.found(stage)) {
+            first = resume(*values, flow);
+        }
+        bool ended = !samples_.empty() && steps_ > first && enough(samples_.back());
+        while (!ended) {
+            advance(flow);
             run_.log.count(interval_, nodes);
             sample(offset + drift * static_cast<double>(steps_ - first));
-            if (samples_.size() % 16 == 0) {
-                run_.log.progress(stage, progress_of(stage));
+            ended = enough(samples_.back());
+            run_.log.keep(stage, ended, [&] { return record(flow, first); });
+            if (samples_.size() % 16 == 0 || ended) {
+                run_.log.progress(stage, ended ? 1.0 : progress_of(stage));
                 run_.log.stop_if_cancelled();
             }
-        } while (!enough(samples_.back()));
+        }
     }
     [[nodiscard]] const std::vector<Sample>& samples() const { return samples_; }
     [[nodiscard]] double peak() const { return peak_; }
@@ -60,29 +65,81 @@ class Passage {
     }
 
   private:
+    void advance(lattice::AxisymmetricFlow& flow) {
+        for (long n = 0; n < interval_; ++n) {
+            cell_.load(flow);
+            flow.step();
+            if (!cell_.move(flow)) {
+                run_.log.stop("the cell broke down" + where());
+            }
+        }
+        steps_ += interval_;
+    }
     void sample(double offset) {
         const solid::RingShape s = cell_.shape();
         if (!(s.smallest_jacobian > 0.0)) {
-            run_.log.stop("an element of the cell turned inside out at x = " +
-                          std::to_string((s.centre + offset) / run_.nodes) + " nozzle radii from the exit");
+            run_.log.stop("an element of the cell turned inside out" + where());
         }
-        samples_.push_back({.time = static_cast<double>(steps_) * units_.time_step,
-                            .x = (s.centre + offset) * units_.spacing,
-                            .stress = s.von_mises * units_.stress,
-                            .axial = s.length / rest_.length,
-                            .radial = s.width / rest_.width,
-                            .volume = s.volume / rest_.volume});
-        const Sample& last = samples_.back();
-        peak_ = std::max(peak_, last.stress);
-        run_.log.result.series.rows.push_back(
-            {last.time, last.x, last.stress, last.axial, last.radial, last.volume});
+        add({.time = static_cast<double>(steps_) * units_.time_step,
+             .x = (s.centre + offset) * units_.spacing,
+             .stress = s.von_mises * units_.stress,
+             .axial = s.length / rest_.length,
+             .radial = s.width / rest_.width,
+             .volume = s.volume / rest_.volume});
+    }
+    void add(const Sample& s) {
+        samples_.push_back(s);
+        peak_ = std::max(peak_, s.stress);
+        run_.log.result.series.rows.push_back({s.time, s.x, s.stress, s.axial, s.radial, s.volume});
+    }
+    [[nodiscard]] std::string where() const {
+        return samples_.empty() ? std::string(" at the start of the exit")
+                                : " at x = " + std::to_string(samples_.back().x / run_.scene.nozzle_radius) +
+                                      " nozzle radii from the exit";
     }
     [[nodiscard]] double progress_of(const char* stage) const {
         if (stage[0] == 'e') {
             const double x = samples_.back().x / run_.scene.nozzle_radius;
-            return std::clamp((x - start_in_radii) / (strand_in_radii - start_in_radii), 0.0, 1.0);
+            return std::clamp((x - start_in_radii) / (strand_in_radii - start_in_radii), 0.0, 0.99);
         }
-        return std::clamp(std::log(peak_ / samples_.back().stress) / std::log(1.0 / relaxed), 0.0, 1.0);
+        return std::clamp(std::log(peak_ / samples_.back().stress) / std::log(1.0 / relaxed), 0.0, 0.99);
+    }
+    [[nodiscard]] Record record(const lattice::AxisymmetricFlow& flow, long first) const {
+        Record r;
+        r.put(static_cast<double>(first));
+        r.put(static_cast<double>(steps_));
+        r.put(cell_.state());
+        r.put(flow.state());
+        r.put(static_cast<double>(samples_.size()));
+        for (const Sample& s : samples_) {
+            for (const double value : {s.time, s.x, s.stress, s.axial, s.radial, s.volume}) {
+                r.put(value);
+            }
+        }
+        return r;
+    }
+    long resume(const std::vector<double>& values, lattice::AxisymmetricFlow& flow) {
+        Record r(values);
+        const auto first = static_cast<long>(r.next());
+        steps_ = static_cast<long>(r.next());
+        cell_.restore(r.next_list());
+        flow.restore(r.next_list());
+        samples_.clear();
+        run_.log.result.series.rows.clear();
+        for (auto n = static_cast<long>(r.next()); n > 0; --n) {
+            const double time = r.next();
+            const double x = r.next();
+            const double von_mises = r.next();
+            const double axial = r.next();
+            const double radial = r.next();
+            add({.time = time,
+                 .x = x,
+                 .stress = von_mises,
+                 .axial = axial,
+                 .radial = radial,
+                 .volume = r.next()});
+        }
+        return first;
     }
 
     const Run& run_;
@@ -136,26 +193,32 @@ void leave_values(const Run& run, const std::vector<Sample>& samples, double sta
 
 }  // namespace
 
-void run_exit(const Run& run) {
-    const ChannelState channel = run_channel(run);
-    const double start = run.log.result.values.front().value;
-    const LatticeUnits units = units_for_cell(run.scene, run.flow, run.nodes, run.log.options());
+namespace {
+
+/// The flow through the exit in the units of a run with a cell.
+ExitField exit_field(const Run& run, const LatticeUnits& units) {
     ExitField field =
         settle_exit_flow(run.flow, run.nodes, exit_reach(run.flow.ink()), flow_tolerance, run.log);
     field.flow.rescale(units.velocity_lu / field.units.velocity_lu,
                        units.viscosity_lu / field.units.viscosity_lu);
     field.units = units;
+    return field;
+}
+
+}  // namespace
+
+void run_exit(const Run& run) {
+    const ChannelState channel = run_channel(run);
+    const double start = run.log.result.values.front().value;
+    const LatticeUnits units = units_for_cell(run.scene, run.flow, run.nodes, run.log.options());
+    ExitField field = exit_field(run, units);
 
     ImmersedCell cell(cell_setup(run, units), 0.0);
-    const solid::RingShape rest = cell.shape();
-    cell.set_positions(channel.positions);
+    Passage passage(run, units, cell);
     const int lip = field.flow.domain().lip;
+    cell.set_positions(channel.positions);
     cell.shift(lip + start_in_radii * run.nodes);
-    run.log.result.series = {};
-    run.log.result.series.columns = {"time [s]",      "x [m]",          "von_mises [Pa]",
-                                     "stretch_axial", "stretch_radial", "volume"};
-    Passage passage(run, units, cell, rest);
-    passage.carry(field.flow, -lip, 0.0, "exit", [&](const Sample& s) {
+    passage.carry("exit", field.flow, -lip, 0.0, [&](const Sample& s) {
         return s.x > strand_in_radii * run.scene.nozzle_radius || passage.too_long();
     });
 
@@ -165,7 +228,7 @@ void run_exit(const Run& run) {
                                      units.relaxation(run.flow.ink()));
     const double centre = cell.shape().centre;
     cell.shift(0.5 * length - centre);
-    passage.carry(strand, centre - 0.5 * length - lip, units.velocity_lu, "strand",
+    passage.carry("strand", strand, centre - 0.5 * length - lip, units.velocity_lu,
                   [&](const Sample& s) { return s.stress < relaxed * passage.peak() || passage.too_long(); });
     leave_values(run, passage.samples(), start);
     report(run, units, field.flow.domain().length);

@@ -7,6 +7,9 @@
 namespace bioprint {
 namespace {
 
+/// Far above any velocity of a sound run and far below what would carry a vertex out of the lattice.
+constexpr double largest_velocity = 0.5;
+
 int layers_of(const ImmersedCellSetup& setup) {
     return std::max(2, static_cast<int>(std::lround((setup.radius - setup.retraction) / setup.spacing)));
 }
@@ -78,6 +81,22 @@ void ImmersedCell::set_positions(std::span<const solid::RingPoint> position) {
     position_.assign(position.begin(), position.end());
 }
 
+std::vector<double> ImmersedCell::state() const {
+    std::vector<double> flat;
+    flat.reserve(2 * position_.size());
+    for (const auto& p : position_) {
+        flat.push_back(p.x);
+        flat.push_back(p.r);
+    }
+    return flat;
+}
+
+void ImmersedCell::restore(std::span<const double> state) {
+    for (std::size_t v = 0; v < position_.size() && 2 * v + 1 < state.size(); ++v) {
+        position_[v] = {.x = state[2 * v], .r = state[2 * v + 1]};
+    }
+}
+
 lattice::ForceWindow ImmersedCell::window() const {
     double low = position_.front().x;
     double high = low;
@@ -129,7 +148,7 @@ void ImmersedCell::load(lattice::AxisymmetricFlow& flow) {
     }
 }
 
-void ImmersedCell::move(const lattice::AxisymmetricFlow& flow) {
+bool ImmersedCell::move(const lattice::AxisymmetricFlow& flow) {
     for (std::size_t q = 0; q < point_.size(); ++q) {
         const Stencil& s = stencil_[q];
         solid::RingPoint u{.x = 0.0, .r = 0.0};
@@ -144,6 +163,11 @@ void ImmersedCell::move(const lattice::AxisymmetricFlow& flow) {
     } else {
         vertex_velocity_ = point_velocity_;
     }
+    for (const auto& u : vertex_velocity_) {
+        if (!(std::abs(u.x) < largest_velocity && std::abs(u.r) < largest_velocity)) {
+            return false;
+        }
+    }
     for (std::size_t v = 0; v < position_.size(); ++v) {
         position_[v].x += vertex_velocity_[v].x;
         if (!body_.mesh().on_axis(static_cast<int>(v))) {
@@ -153,6 +177,7 @@ void ImmersedCell::move(const lattice::AxisymmetricFlow& flow) {
     if (setup_.volume_strength > 0.0) {
         volume_.apply(position_, setup_.volume_strength);
     }
+    return true;
 }
 
 solid::RingShape ImmersedCell::shape() const {

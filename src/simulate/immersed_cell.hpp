@@ -40,13 +40,17 @@ class ImmersedCell {
     /// Puts the cell's forces into the flow.
     void load(lattice::AxisymmetricFlow& flow);
     /// Moves with the flow's velocity after the step that followed `load`.
-    void move(const lattice::AxisymmetricFlow& flow);
+    /// @return false when a velocity is out of all bounds: the run has broken down, and nothing was moved
+    [[nodiscard]] bool move(const lattice::AxisymmetricFlow& flow);
 
     [[nodiscard]] solid::RingShape shape() const;
     [[nodiscard]] const solid::RingTriangles& body() const { return body_; }
     [[nodiscard]] std::span<const solid::RingPoint> positions() const { return position_; }
     [[nodiscard]] std::vector<double> von_mises() const;
     void set_positions(std::span<const solid::RingPoint> position);
+    /// The positions as plain numbers, and back.
+    [[nodiscard]] std::vector<double> state() const;
+    void restore(std::span<const double> state);
     void shift(double x);
 
   private:

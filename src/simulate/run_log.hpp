@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "bioprint/simulate/simulation.hpp"
+#include "simulate/keeper.hpp"
 
 /// What the stages of one run share: progress, cancellation, the count of work, and what has been found so
 /// far.
@@ -11,7 +12,8 @@ namespace bioprint {
 
 class RunLog {
   public:
-    RunLog(const SimulationOptions& options, bool reports) : options_(options), reports_(reports) {}
+    RunLog(const SimulationOptions& options, Keeper& keeper, const char* name, bool reports)
+        : options_(options), keeper_(keeper), name_(name), reports_(reports) {}
 
     void count(long steps, double nodes) {
         result.steps += steps;
@@ -37,6 +39,17 @@ class RunLog {
     void warn(const char* code, const std::string& message) {
         result.warnings.push_back({.code = code, .message = message});
     }
+    /// Keeps a stage's state when it is time to, or when it is `finished`.
+    template <class State>
+    void keep(const char* stage, bool finished, const State& state) {
+        const bool due = keeper_.due();
+        if (options_.checkpoint && (due || finished)) {
+            keeper_.put(name_ + stage, state(), due);
+        }
+    }
+    [[nodiscard]] const std::vector<double>* found(const char* stage) const {
+        return keeper_.found(name_ + stage);
+    }
     [[nodiscard]] const SimulationOptions& options() const { return options_; }
 
     SimulationResult result;
@@ -44,6 +57,8 @@ class RunLog {
 
   private:
     const SimulationOptions& options_;
+    Keeper& keeper_;
+    std::string name_;
     bool reports_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,12 @@ struct SimulationProgress {
     double done;        ///< of the stage, 0 … 1
 };
 
+/// A checkpoint: everything a simulation needs to go on to the same numbers. Parts are lists of numbers by
+/// name, to be stored without loss.
+struct SimulationState {
+    std::map<std::string, std::vector<double>> parts;
+};
+
 struct SimulationOptions {
     double resolution = 6.0;     ///< lattice nodes a cell radius, ≥ 3 (draft 3, standard 6, fine 12)
     bool estimate_error = true;  ///< run at half the resolution too
@@ -63,6 +70,10 @@ struct SimulationOptions {
     double mesh_spacing = 1.52;       ///< lattice spacings an element
     std::function<void(const SimulationProgress&)> progress = {};
     const std::atomic<bool>* cancel = nullptr;
+    /// Called now and then, from the thread that computes, with what a later call can resume from.
+    std::function<void(const SimulationState&)> checkpoint = {};
+    double checkpoint_interval = 10.0;        ///< [s] of wall time
+    const SimulationState* resume = nullptr;  ///< of the same scene and options
 };
 
 struct SimulatedValue {

@@ -130,3 +130,50 @@ TEST_CASE("simulation: progress never falls within a stage and ends at one") {
     simulate(scene(0.0, SceneKind::channel), options);
     CHECK(last == 1.0);
 }
+
+TEST_CASE("simulation: one that was cancelled goes on from its checkpoint to the same numbers") {
+    SimulationOptions options{.resolution = 3.0, .settle_tolerance = 0.02};
+    const SimulationResult whole = simulate(scene(0.75), options);
+
+    SimulationState kept;
+    std::atomic<bool> cancel = false;
+    long checkpoints = 0;
+    options.cancel = &cancel;
+    options.checkpoint_interval = 0.0;
+    options.checkpoint = [&](const SimulationState& state) {
+        kept = state;
+        ++checkpoints;
+    };
+    const auto cut_at = [&](const char* stage, double done) {
+        cancel = false;
+        options.progress = [&cancel, stage, done](const SimulationProgress& p) {
+            if (std::string(p.stage) == stage && p.done >= done) {
+                cancel = true;
+            }
+        };
+        CHECK_THROWS_AS(simulate(scene(0.75), options), SimulationIncomplete);
+    };
+    cut_at("channel", 0.01);
+    const SimulationState first = kept;
+    options.resume = &first;
+    cut_at("exit", 0.4);
+    const SimulationState second = kept;
+    options.resume = &second;
+    cut_at("strand", 0.3);
+    const SimulationState third = kept;
+    options.resume = &third;
+    cancel = false;
+    options.progress = {};
+    const SimulationResult resumed = simulate(scene(0.75), options);
+    CHECK(checkpoints > 10);
+    REQUIRE(resumed.values.size() == whole.values.size());
+    for (std::size_t n = 0; n < whole.values.size(); ++n) {
+        CHECK(resumed.values[n].value == whole.values[n].value);
+    }
+    CHECK(resumed.series.rows == whole.series.rows);
+    CHECK(resumed.steps < whole.steps);
+
+    Scene other = scene(0.75);
+    other.cell.shear_modulus *= 1.01;
+    CHECK_THROWS_AS(simulate(other, options), UsageError);
+}
