@@ -32,14 +32,14 @@ _bioprint_predict() {
             words=$(_bioprint_predict_presets "$program" inks)
             mapfile -t COMPREPLY < <(compgen -f -- "$current")
             ;;
-        --batch | -o | --output)
+        --batch | --history | -o | --output)
             compopt -o filenames 2>/dev/null
             mapfile -t COMPREPLY < <(compgen -f -- "$current")
             return
             ;;
         -R | --radius | --diameter | -Q | --flowrate | --velocity | --pressure-gradient | --pressure | --length | \
             --eta0 | --eta-inf | -K | --time-constant | -a | --alpha | --cell-radius | --shear-modulus | \
-            --poisson-ratio | --viscosity-ratio | --offset | --profile | --get | --resolution | -j | --jobs)
+            --poisson-ratio | --viscosity-ratio | --offset | --threshold | --profile | --get | --resolution | -j | --jobs)
             return # a quantity: nothing to propose
             ;;
         *)
@@ -47,7 +47,7 @@ _bioprint_predict() {
             words='-R --radius --diameter --needle --tip -Q --flowrate --velocity --pressure-gradient --pressure --length
                 --ink --eta0 --eta-inf -K --time-constant -a --alpha
                 --cell --cell-radius --shear-modulus --poisson-ratio --viscosity-ratio --offset
-                --model --profile --batch -f --format --json --get -o --output
+                --model --population --threshold --profile --batch -f --format --json --get --history -o --output
                 -j --jobs -q --quiet -v --verbose --no-color --list --simulate --fidelity --resolution --version -h --help'
             ;;
     esac

@@ -35,6 +35,8 @@ struct Raw {
     std::optional<std::string> jobs;
     std::vector<std::string> paths;
     std::string scene;
+    std::string population;
+    std::optional<std::string> history;
     std::optional<std::string> fidelity;
     std::optional<std::string> resolution;
     bool json = false;
@@ -48,6 +50,10 @@ std::string option_names(const KeyInfo& info) {
 
 void add_prediction_options(CLI::App& app, Raw& raw) {
     for (const KeyInfo& info : key_table()) {
+        if (info.key == Key::population) {
+            app.add_flag("--population{yes}", raw.population, std::string(info.help))->group("The question");
+            continue;
+        }
         auto* option = app.add_option(option_names(info), raw.values[static_cast<std::size_t>(info.key)],
                                       std::string(info.help));
         option->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)->group("The question");
@@ -75,6 +81,9 @@ void add_answer_options(CLI::App& app, Raw& raw, Arguments& arguments) {
     app.add_option("-o,--output", raw.output, "write there, whole or not at all")
         ->type_name("FILE")
         ->group(group);
+    app.add_option("--history", raw.history, "write the centred cell's way through the exit there, as CSV")
+        ->type_name("FILE")
+        ->group(group);
     app.add_option("--list", raw.list, "show the presets: inks, cells or nozzles")
         ->type_name("KIND")
         ->group(group);
@@ -100,6 +109,10 @@ void add_simulation_options(CLI::App& app, Raw& raw) {
         ->group(group);
 }
 
+void print(const std::string& text) {
+    if (!(std::cout << text << std::flush)) throw DataError("standard output: cannot be written");
+}
+
 std::optional<Format> parse_format(const std::string& text) {
     if (text == "table") return Format::table;
     if (text == "json") return Format::json;
@@ -123,6 +136,17 @@ void collect_question(const CLI::App& app, const Raw& raw, Arguments& arguments,
         if (key && std::find(order.begin(), order.end(), *key) == order.end()) order.push_back(*key);
     }
     for (const Key key : order) {
+        if (key == Key::population) {
+            problems.collect([&] { arguments.sweep.add(key, raw.population, "--population"); });
+            continue;
+        }
+        if (key == Key::threshold) {
+            std::string all;
+            for (const std::string& text : raw.values[static_cast<std::size_t>(key)])
+                all += (all.empty() ? "" : ",") + text;
+            problems.collect([&] { arguments.sweep.add(key, all, "--threshold"); });
+            continue;
+        }
         for (const std::string& text : raw.values[static_cast<std::size_t>(key)]) {
             problems.collect(
                 [&] { arguments.sweep.add(key, text, "--" + std::string(info_of(key).option)); });
@@ -134,7 +158,12 @@ void collect_question(const CLI::App& app, const Raw& raw, Arguments& arguments,
 void collect_answer(const Raw& raw, Arguments& arguments, Problems& problems) {
     arguments.batch = raw.batch;
     arguments.output = raw.output;
-    for (const auto& [name, value] : {std::pair{"--batch", raw.batch}, {"--output", raw.output}}) {
+    arguments.history = raw.history;
+    if (raw.history && (raw.batch || !arguments.sweep.swept().empty())) {
+        problems.add("--history: one question at a time; leave out --batch and lists", "--history");
+    }
+    for (const auto& [name, value] :
+         {std::pair{"--batch", raw.batch}, {"--output", raw.output}, {"--history", raw.history}}) {
         if (value && value->empty())
             problems.add(std::string(name) + ": got an empty name; it takes a file", name);
     }
@@ -225,10 +254,10 @@ std::optional<Arguments> parse_arguments(int argc, const char* const* argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
-        std::cout << app.help();
+        print(app.help());
         return std::nullopt;
     } catch (const CLI::CallForVersion&) {
-        std::cout << app.version() << '\n';
+        print(app.version() + "\n");
         return std::nullopt;
     } catch (const CLI::ParseError& e) {
         problems.add(e.what());

@@ -20,6 +20,7 @@ struct Arguments {
     std::vector<std::string> paths;
     std::optional<std::string> output;
     std::optional<std::string> list;
+    std::optional<std::string> history;
     std::optional<unsigned> jobs;
     std::optional<SimulationQuestion> simulation;
     bool quiet = false;

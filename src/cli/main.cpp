@@ -1,3 +1,4 @@
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -16,6 +17,7 @@
 #include "bioprint/io/answer.hpp"
 #include "cli/arguments.hpp"
 #include "io/batch.hpp"
+#include "io/history.hpp"
 #include "io/preset_list.hpp"
 #include "io/reference_report.hpp"
 #include "io/whole_file.hpp"
@@ -34,6 +36,9 @@ std::atomic<bool> interrupted{false};
 /// The first Ctrl-C lets the rows at hand be finished; the second one ends the program.
 void on_interrupt(int) {
     if (interrupted.exchange(true)) std::_Exit(status_interrupted);
+    // A batch that waits for its next line sees the end of its input.
+    const int nothing = open("/dev/null", O_RDONLY);
+    if (nothing >= 0) dup2(nothing, STDIN_FILENO);
 }
 
 void say(std::string_view text) {
@@ -126,11 +131,16 @@ int run(const Arguments& arguments) {
         return 0;
     }
     const RunOptions options = run_options(arguments);
+    if (arguments.history) {
+        WholeFile history(*arguments.history);
+        history.write(history_csv(arguments.sweep.fixed()));
+        history.commit();
+    }
     if (arguments.simulation) {
         try {
             run_simulation(arguments, options, sink);
         } catch (const SimulationIncomplete& e) {
-            output.commit();
+            output.commit();  // the prediction, and what the simulation had
             say(e.what());
             return interrupted ? status_interrupted : exit_status_of_current();
         }

@@ -145,6 +145,33 @@ Json cell_object(const CellAnswer& cell) {
     return object.take();
 }
 
+Json distribution_object(const Distribution& d) {
+    return ObjectBuilder()
+        .add("mean", number(d.mean))
+        .add("median", number(d.median))
+        .add("percentile_90", number(d.percentile_90))
+        .add("percentile_95", number(d.percentile_95))
+        .add("percentile_99", number(d.percentile_99))
+        .add("largest", number(d.largest))
+        .take();
+}
+
+Json population_object(const Population& population, const std::vector<double>& thresholds) {
+    Json shares = Json::array();
+    for (std::size_t i = 0; i < thresholds.size(); ++i) {
+        shares.push_back(ObjectBuilder()
+                             .add("stress", number(thresholds[i]))
+                             .add("share_above", number(population.share_above.at(i)))
+                             .take());
+    }
+    return ObjectBuilder()
+        .add("peak_stress", distribution_object(population.peak_stress))
+        .add("share_peaking_at_exit", number(population.share_peaking_at_exit))
+        .add("thresholds", std::move(shares))
+        .add("exposure", population.exposure ? distribution_object(*population.exposure) : Json(nullptr))
+        .take();
+}
+
 Json profile_object(const RadialProfile& profile) {
     return ObjectBuilder()
         .add("r", numbers(profile.r))
@@ -196,6 +223,9 @@ Json answer_object(const Prediction& prediction) {
                          .add("elongational_stress", number(prediction.exit.elongational_stress))
                          .take())
         .add("cells", std::move(cells));
+    if (prediction.population) {
+        answer.add("population", population_object(*prediction.population, prediction.question.thresholds));
+    }
     if (prediction.profile) answer.add("profile", profile_object(*prediction.profile));
     return answer.add("warnings", std::move(warnings)).take();
 }
@@ -285,6 +315,8 @@ std::string_view unit_of(std::string_view path) {
         {"frequency", "1/s"},
         {"angle", "rad"},
     }};
+    if (path.starts_with("population.peak_stress.")) return "Pa";
+    if (path.starts_with("population.exposure.")) return "Pa.s";
     const auto is_index = [](std::string_view name) {
         return !name.empty() &&
                std::all_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; });

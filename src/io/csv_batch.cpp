@@ -39,12 +39,10 @@ HeaderName split_header(std::string_view header) {
 class Layout {
   public:
     explicit Layout(const std::vector<std::string>& header) {
-        // A column named like one of ours is ours only beside an answer; alone, input.ink.alpha is a question.
-        const bool answered =
-            std::find(header.begin(), header.end(), "nozzle.stress_max [Pa]") != header.end();
+        const std::size_t block = answer_block(header);
         std::vector<std::size_t> ours;
         for (std::size_t i = 0; i < header.size(); ++i) {
-            if (answered && is_answer_header(header[i])) {
+            if (i >= block) {
                 ours.push_back(i);
             } else {
                 kept_.push_back(i);
@@ -67,6 +65,16 @@ class Layout {
     }
 
   private:
+    /// Where an earlier run's columns begin: the last ones, from input.radius on, all named like ours. A column of the
+    /// user's that is named like one of ours stands before them.
+    static std::size_t answer_block(const std::vector<std::string>& header) {
+        std::size_t begin = header.size();
+        for (std::size_t i = header.size(); i-- > 0 && is_answer_header(header[i]);) {
+            if (header[i] == "input.radius [m]") begin = i;
+        }
+        return begin;
+    }
+
     void add_question(std::size_t index, const std::string& header, bool as_input) {
         const HeaderName parts = split_header(header);
         if (as_input && !parts.name.starts_with("input.")) return;
@@ -91,7 +99,7 @@ class Layout {
 struct Row {
     std::size_t line = 0;
     bool blank = false;
-    bool open_quote = false;
+    bool sealed = false;  ///< handed back as it is, with nothing behind
     std::string fault;
     std::string kept;
     std::string line_end;
@@ -122,7 +130,7 @@ class CsvBatch {
     RunResult run(const Sink& sink, const Sink& notice) {
         remark_on_columns(notice);
         bool more = read_chunk();
-        columns_.emplace(entries());
+        columns_.emplace(entries(), layout_.asks(Key::population) || input_.defaults.has(Key::population));
         sink(head());
         RunResult result;
         while (!rows_.empty() && !result.interrupted) {
@@ -130,7 +138,7 @@ class CsvBatch {
             for (Row& row : rows_) {
                 if (!row.blank) {
                     result.refused += row.refused ? 1 : 0;
-                    if (row.open_quote) notice("line " + std::to_string(row.line) + ": " + row.fault);
+                    if (row.sealed) notice("line " + std::to_string(row.line) + ": " + row.fault);
                     sink(placed(row.answer, result.rows));
                     ++result.rows;
                 } else if (in_kind()) {
@@ -204,13 +212,18 @@ class CsvBatch {
     [[nodiscard]] Row take(const CsvRecord& record) const {
         Row row{.line = record.line,
                 .blank = record.blank,
-                .open_quote = record.open_quote,
                 .fault = record.fault,
                 .kept = {},
                 .line_end = std::string(record.line_end),
                 .cells = {},
                 .answer = {}};
-        if (record.blank || record.open_quote) {
+        // Missing cells at the end are empty cells; what is too long or never closed cannot take columns of ours.
+        if (record.fields.size() < reader_.header().size() && !record.open_quote &&
+            record.raw.find('\0') == std::string_view::npos) {
+            row.fault.clear();
+        }
+        row.sealed = record.open_quote || record.fields.size() > reader_.header().size();
+        if (record.blank || row.sealed) {
             row.kept = record.raw;
             return row;
         }
@@ -277,7 +290,7 @@ class CsvBatch {
     }
 
     [[nodiscard]] std::string csv_line(const Row& row, const Json& object) const {
-        if (row.open_quote) return row.kept + row.line_end;
+        if (row.sealed) return row.kept + row.line_end;
         CsvWriter writer(reader_.dialect());
         if (!layout_.kept().empty()) writer.add_raw(row.kept);
         columns_->write(object, writer);

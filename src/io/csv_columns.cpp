@@ -49,6 +49,14 @@ constexpr std::array<std::string_view, 17> cell_paths = {"place",
                                                          "stress.elastic.2",
                                                          "stress.viscous",
                                                          "relaxation_time"};
+constexpr std::array<std::string_view, 13> population_paths = {
+    "population.peak_stress.mean",          "population.peak_stress.median",
+    "population.peak_stress.percentile_90", "population.peak_stress.percentile_95",
+    "population.peak_stress.percentile_99", "population.peak_stress.largest",
+    "population.share_peaking_at_exit",     "population.exposure.mean",
+    "population.exposure.median",           "population.exposure.percentile_90",
+    "population.exposure.percentile_95",    "population.exposure.percentile_99",
+    "population.exposure.largest"};
 constexpr std::array<std::string_view, 4> trailing_paths = {"warnings", "error.code", "error.message",
                                                             "error.option"};
 
@@ -88,12 +96,15 @@ std::string warning_codes(const Json& warnings) {
 
 }  // namespace
 
-CsvColumns::CsvColumns(std::size_t cell_entries) : cell_entries_(cell_entries) {
+CsvColumns::CsvColumns(std::size_t cell_entries, bool population) : cell_entries_(cell_entries) {
     for (const std::string_view path : leading_paths) add(std::string(path));
     add("exit.elongational_stress");
     for (std::size_t i = 0; i < cell_entries; ++i) {
         for (const std::string_view path : cell_paths)
             add("cells." + std::to_string(i) + "." + std::string(path));
+    }
+    if (population) {
+        for (const std::string_view path : population_paths) add(std::string(path));
     }
     for (const std::string_view path : trailing_paths) add(std::string(path));
 }
@@ -127,9 +138,11 @@ void CsvColumns::write(const Json& answer, CsvWriter& writer) const {
 
 bool is_answer_header(std::string_view header) {
     std::string_view path = header.substr(0, header.find(" ["));
-    bool known = std::find(leading_paths.begin(), leading_paths.end(), path) != leading_paths.end() ||
-                 path == "exit.elongational_stress" ||
-                 std::find(trailing_paths.begin(), trailing_paths.end(), path) != trailing_paths.end();
+    bool known =
+        std::find(leading_paths.begin(), leading_paths.end(), path) != leading_paths.end() ||
+        path == "exit.elongational_stress" ||
+        std::find(population_paths.begin(), population_paths.end(), path) != population_paths.end() ||
+        std::find(trailing_paths.begin(), trailing_paths.end(), path) != trailing_paths.end();
     if (!known && path.starts_with("cells.")) {
         const std::string_view rest = path.substr(6);
         const std::size_t dot = rest.find('.');

@@ -25,7 +25,8 @@ class CsvColumns {
     };
 
     /// @param cell_entries  entries of `cells` to provide columns for
-    explicit CsvColumns(std::size_t cell_entries);
+    /// @param population    whether to provide columns for it
+    CsvColumns(std::size_t cell_entries, bool population);
 
     [[nodiscard]] std::size_t cell_entries() const { return cell_entries_; }
     /// Names with units, in order.

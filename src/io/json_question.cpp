@@ -36,7 +36,9 @@ void set_value(Settings& settings, Key key, const json& value, const std::string
         settings.set_number(key, value.get<double>(), path);
     } else if (value.is_string()) {
         settings.set(key, value.get_ref<const std::string&>(), path);
-    } else if (value.is_array() && key == Key::offset) {
+    } else if (value.is_boolean() && key == Key::population) {
+        settings.set(key, value.get<bool>() ? "yes" : "no", path);
+    } else if (value.is_array() && (key == Key::offset || key == Key::threshold)) {
         settings.set(key, positions_text(value, path), path);
     } else {
         throw UsageError(path + ": takes a number in SI units or a string with a unit such as \"50um\"",

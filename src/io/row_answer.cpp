@@ -42,8 +42,8 @@ std::size_t cell_entries(const Settings& settings) {
     return positions.size() + 2 * static_cast<std::size_t>(centred);
 }
 
-RowWriter::RowWriter(const RunOptions& options, std::size_t cell_entries)
-    : options_(options), columns_(cell_entries) {}
+RowWriter::RowWriter(const RunOptions& options, std::size_t cell_entries, bool population)
+    : options_(options), columns_(cell_entries, population) {}
 
 std::string RowWriter::head() const {
     if (!options_.paths.empty()) return {};

@@ -42,7 +42,7 @@ std::size_t cell_entries(const Settings& settings);
 
 class RowWriter {
   public:
-    RowWriter(const RunOptions& options, std::size_t cell_entries);
+    RowWriter(const RunOptions& options, std::size_t cell_entries, bool population);
 
     [[nodiscard]] std::string head() const;
     [[nodiscard]] std::string csv_row(const Json& answer) const;

@@ -46,7 +46,7 @@ void answer_one(const Settings& row, const RunOptions& options, const Sink& sink
             break;
     }
     if (prediction.profile) return sink(profile_csv(*prediction.profile));
-    const RowWriter writer(options, cell_entries(row));
+    const RowWriter writer(options, cell_entries(row), row.has(Key::population));
     sink(writer.head() + writer.csv_row(answer_object(prediction)));
 }
 
@@ -95,12 +95,18 @@ RunResult run_sweep(const Sweep& sweep, const RunOptions& options, const Sink& s
         result.rows = 1;
         return result;
     }
+    const bool has_lists =
+        options.format == Format::json || options.format == Format::jsonl || !options.paths.empty();
+    if (sweep.fixed().has(Key::profile) && !has_lists) {
+        throw UsageError("--profile: a sweep carries profiles in json and jsonl only; choose one of them",
+                         "--profile");
+    }
     if (options.format == Format::table && options.paths.empty()) {
         write_table(sweep, options, sink, result);
         return result;
     }
 
-    RowWriter writer(options, cell_entries(sweep.fixed()));
+    RowWriter writer(options, cell_entries(sweep.fixed()), sweep.fixed().has(Key::population));
     sink(writer.head());
     const std::size_t total = sweep.size();
     for (std::size_t begin = 0; begin < total; begin += chunk_rows) {

@@ -51,12 +51,16 @@ CellChoice cell_choice(const Settings& settings) {
         .shear_modulus = pick(Key::shear_modulus, preset.shear_modulus, reference.shear_modulus),
         .poisson_ratio = pick(Key::poisson_ratio, preset.poisson_ratio, reference.poisson_ratio),
         .viscosity_ratio = pick(Key::viscosity_ratio, preset.viscosity_ratio, reference.viscosity_ratio)};
-    const auto borrowed = [&](Key key, const std::optional<double>& value) {
-        return !settings.has(key) && !value;
-    };
-    if (borrowed(Key::cell_radius, preset.radius)) cell.source += "; radius of the reference cell";
-    if (borrowed(Key::shear_modulus, preset.shear_modulus))
-        cell.source += "; shear modulus of the reference cell";
+    std::string missing;
+    if (!settings.has(Key::cell_radius) && !preset.radius) missing = "radius";
+    if (!settings.has(Key::shear_modulus) && !preset.shear_modulus) {
+        missing += missing.empty() ? "shear modulus" : " and no shear modulus";
+    }
+    if (!missing.empty()) {
+        cell.remark = "the cell preset " + preset.name + " has no " + missing +
+                      ": the reference cell's is used; give --cell-radius or --shear-modulus";
+        cell.source += "; " + missing + " of the reference cell";
+    }
     for (const Key key : {Key::cell_radius, Key::shear_modulus, Key::poisson_ratio, Key::viscosity_ratio}) {
         if (settings.has(key)) cell.source += "; " + std::string(info_of(key).option) + " given";
     }
@@ -173,7 +177,10 @@ SettingValue& Settings::claim(Key key, std::string_view origin) {
 
 void Settings::set(Key key, std::string_view text, std::string_view origin, NumberStyle style) {
     const KeyInfo& info = info_of(key);
-    if (info.dimension) {
+    if (key == Key::threshold) {
+        std::vector<double> numbers = parse_quantity_list(text, *info.dimension, origin, style);
+        claim(key, origin).numbers = std::move(numbers);
+    } else if (info.dimension) {
         const double value = parse_quantity(text, *info.dimension, origin, style);
         claim(key, origin).number = value;
     } else if (key == Key::offset) {
@@ -189,6 +196,8 @@ void Settings::set(Key key, std::string_view text, std::string_view origin, Numb
 void Settings::set_number(Key key, double value, std::string_view origin) {
     if (key == Key::offset) {
         claim(key, origin).positions = {{value, false}};
+    } else if (key == Key::threshold) {
+        claim(key, origin).numbers = {value};
     } else if (info_of(key).dimension) {
         claim(key, origin).number = value;
     } else if (key == Key::needle) {
@@ -266,6 +275,21 @@ Case Settings::make_case() const {
     problems.collect([&] { question.ink = ink_choice(*this); });
     problems.collect([&] { question.cell = cell_choice(*this); });
     if (has(Key::offset)) question.positions = at(Key::offset).positions;
+    if (has(Key::population)) {
+        const std::string& text = at(Key::population).text;
+        question.population = text == "yes" || text == "true" || text == "1";
+        if (!question.population && text != "no" && text != "false" && text != "0") {
+            problems.add(origins_[index(Key::population)] + ": got '" + text + "'; it takes yes or no",
+                         origins_[index(Key::population)]);
+        }
+    }
+    if (has(Key::threshold)) {
+        question.thresholds = at(Key::threshold).numbers;
+        if (!question.population) {
+            problems.add(origins_[index(Key::threshold)] + ": belongs to a population; add --population",
+                         origins_[index(Key::threshold)]);
+        }
+    }
     if (has(Key::model)) {
         const std::string& model = at(Key::model).text;
         question.transient = model == "ellipsoid";

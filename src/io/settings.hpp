@@ -37,8 +37,10 @@ enum class Key {
     offset,
     profile,
     model,
+    population,
+    threshold,
 };
-inline constexpr std::size_t key_count = static_cast<std::size_t>(Key::model) + 1;
+inline constexpr std::size_t key_count = static_cast<std::size_t>(Key::threshold) + 1;
 
 /// How a key is called: on the command line, and in the answer's `input`.
 struct KeyInfo {
@@ -60,6 +62,7 @@ struct SettingValue {
     double number = 0.0;
     std::string text;
     std::vector<CellPosition> positions;
+    std::vector<double> numbers;
 };
 
 class Settings {

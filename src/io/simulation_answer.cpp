@@ -188,6 +188,21 @@ void write(const Prediction& prediction, const Comparison& comparison, const Sim
     sink(json_text(answer, options.format == Format::json ? 2 : -1) + "\n");
 }
 
+/// Why a run that came to its end is not to be believed; empty when it is.
+std::string breakdown(const SimulationResult& run) {
+    const std::string remedy = "; lower the velocity, use a stiffer cell, or a higher --fidelity";
+    for (const SimulatedValue& value : run.values) {
+        const bool stress = value.name.starts_with("von_mises") || value.name.starts_with("stretch");
+        if (!std::isfinite(value.value) || (stress && value.value < 0.0)) {
+            return "the simulation broke down (" + value.name + ")" + remedy;
+        }
+    }
+    for (const SimulationWarning& warning : run.warnings) {
+        if (warning.code == "distorted-elements") return warning.message + remedy;
+    }
+    return {};
+}
+
 }  // namespace
 
 SceneKind scene_of(std::string_view name, const Prediction& prediction) {
@@ -236,10 +251,12 @@ void answer_with_simulation(const Settings& settings, const SimulationQuestion& 
     }
     simulation.resolution = resolution_of(question);
     try {
-        write(prediction, compare_with_simulation(prediction, scene, simulation), question, options, sink);
+        const Comparison comparison = compare_with_simulation(prediction, scene, simulation);
+        const std::string failure = breakdown(comparison.run);
+        if (!failure.empty()) throw SimulationIncomplete(failure, comparison.run);
+        write(prediction, comparison, question, options, sink);
     } catch (const SimulationIncomplete& e) {
-        if (!e.result().values.empty())
-            write(prediction, compare(prediction, e.result()), question, options, sink);
+        write(prediction, compare(prediction, e.result()), question, options, sink);
         throw;
     }
 }

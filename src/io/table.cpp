@@ -183,6 +183,26 @@ std::string cells_section(const Prediction& prediction, TableStyle style) {
     return "\n" + heading("Cells: stress of the ink, stress and stretch of the cell", style) + grid(rows, 1);
 }
 
+std::string population_section(const Population& population, const std::vector<double>& thresholds,
+                               TableStyle style) {
+    std::vector<std::vector<std::string>> rows = {{"", "mean", "median", "90 %", "95 %", "99 %", "largest"}};
+    const auto row = [&](const char* name, const Distribution& d, const auto& show) {
+        rows.push_back({name, show(d.mean), show(d.median), show(d.percentile_90), show(d.percentile_95),
+                        show(d.percentile_99), show(d.largest)});
+    };
+    row("peak stress", population.peak_stress, [](double value) { return lab(value, Dimension::pressure); });
+    if (population.exposure) {
+        row("exposure [Pa s]", *population.exposure, [](double value) { return plain(value); });
+    }
+    std::string text = "\n" + heading("Population: all cells of the print", style) + grid(rows, 1);
+    for (std::size_t i = 0; i < thresholds.size(); ++i) {
+        text += "  above " + lab(thresholds[i], Dimension::pressure) + ": " +
+                plain(100.0 * population.share_above.at(i), 3) + " % of the cells\n";
+    }
+    return text + "  " + plain(100.0 * population.share_peaking_at_exit, 3) +
+           " % of the cells bear their largest stress at the exit\n";
+}
+
 std::string profile_section(const RadialProfile& profile, TableStyle style) {
     std::vector<std::vector<std::string>> rows = {{"r", "velocity", "shear rate", "viscosity", "stress"},
                                                   {"µm", "mm/s", "1/s", "Pa.s", "Pa"}};
@@ -233,6 +253,9 @@ std::string table_grid(const std::vector<std::vector<std::string>>& rows, std::s
 std::string answer_table(const Prediction& prediction, TableStyle style) {
     std::string out = input_section(prediction, style) + nozzle_section(prediction.nozzle, style) +
                       exit_section(prediction.exit, style) + cells_section(prediction, style);
+    if (prediction.population) {
+        out += population_section(*prediction.population, prediction.question.thresholds, style);
+    }
     if (prediction.profile) out += profile_section(*prediction.profile, style);
     return out + notes_section(prediction.warnings, style);
 }

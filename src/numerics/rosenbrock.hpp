@@ -52,12 +52,15 @@ class SmallLu {
     std::array<std::size_t, N> row_{};
 };
 
-/// As dormand_prince, which see; the continuous extension of a step is the cubic through its ends and slopes.
+/// As dormand_prince, which see; the continuous extension of a step is the parabola through its ends and the
+/// point before: the slopes themselves are no use, a stiff problem multiplies the error of y in them.
 template <std::size_t N, typename F, typename Observe>
 OdeResult<N> rosenbrock(F&& f, double from, double to, OdeState<N> y, const OdeState<N>& scale,
                         const OdeOptions& options, Observe&& observe) {
     double x = from;
     double h = std::min(options.first_step, to - from);
+    double h_before = 0.0;
+    OdeState<N> chord{};  // of the step before
     for (int steps = 0; steps < options.max_steps; ++steps) {
         const OdeState<N> f0 = f(x, y);
         const double dx = 1e-7 * h;
@@ -110,16 +113,17 @@ OdeResult<N> rosenbrock(F&& f, double from, double to, OdeState<N> y, const OdeS
                     return {.y = y, .x = x, .steps = steps, .finished = false};
                 continue;
             }
-            const OdeState<N> slope = f(x + h, next);
             OdeStep<N> step{.from = x, .to = x + h, .start = y, .end = next, .extension = {}};
             for (std::size_t i = 0; i < N; ++i) {
                 const double difference = next[i] - y[i];
-                const double bend = h * f0[i] - difference;
                 step.extension[0][i] = y[i];
                 step.extension[1][i] = difference;
-                step.extension[2][i] = bend;
-                step.extension[3][i] = difference - h * slope[i] - bend;
+                if (h_before > 0.0) {
+                    step.extension[2][i] = -h * h * (difference / h - chord[i]) / (h + h_before);
+                }
+                chord[i] = difference / h;
             }
+            h_before = h;
             x += h;
             y = next;
             if (!observe(static_cast<const OdeStep<N>&>(step)) || x >= to)

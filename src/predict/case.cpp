@@ -79,6 +79,9 @@ std::vector<std::string> problems_of(const Case& question) {
                      "zero or positive");
     findings.require(cell.poisson_ratio > -1.0 && cell.poisson_ratio < 0.5, "poisson-ratio",
                      cell.poisson_ratio, "above -1 and below 0.5, such as 0.48");
+    for (const double threshold : question.thresholds) {
+        findings.require(threshold >= 0.0, "threshold", threshold, "zero or positive, such as 2kPa");
+    }
     if (question.profile_points != 0) {
         findings.require(question.profile_points >= 2 && question.profile_points <= 1000000, "profile",
                          question.profile_points, "between 2 and 1000000 points");

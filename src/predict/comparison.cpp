@@ -40,10 +40,11 @@ Values predicted_exit(const Prediction& prediction) {
     const NozzleFlow flow =
         NozzleFlow::from_wall_rate(question.ink.law, question.radius, prediction.nozzle.shear_rate_max);
     try {
-        const AxisPassage passage = exit_passage(flow, {.cell = {.radius = question.cell.radius,
-                                                                 .shear_modulus = question.cell.shear_modulus,
-                                                                 .viscosity_ratio = 1.0}})
-                                        .passage;
+        const AxisPassage passage =
+            exit_passage(flow, exit_passage_request(flow, {.radius = question.cell.radius,
+                                                           .shear_modulus = question.cell.shear_modulus,
+                                                           .viscosity_ratio = 1.0}))
+                .passage;
         values["von_mises_peak"] = passage.peak.von_mises;
         values["stretch_axial_min"] = passage.axial_stretch_min;
         values["stretch_radial_max"] = passage.radial_stretch_max;

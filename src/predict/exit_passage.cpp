@@ -12,6 +12,14 @@ constexpr double after = 7.5;
 
 }  // namespace
 
+ExitPassageRequest exit_passage_request(const NozzleFlow& flow, const AxisCell& cell) {
+    ExitPassageRequest request{.cell = cell};
+    if (flow.pressure_gradient() * cell.radius > softest_bullet * cell.shear_modulus) {
+        request.effects.quadratic_flow = false;
+    }
+    return request;
+}
+
 ExitPassage exit_passage(const NozzleFlow& flow, const ExitPassageRequest& request,
                          FunctionRef<void(const AxisCellState&)> observe) {
     const ExitAxis axis(flow);

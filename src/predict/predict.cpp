@@ -113,10 +113,14 @@ CellAnswer cell_in_nozzle(const NozzleFlow& flow, const CellChoice& cell, double
     }
     const double fluid_stress = flow.stress(offset);
     CellAnswer answer = blank_cell(Place::nozzle, Model::roscoe_shear, offset, fluid_stress, cell);
-    fill(answer, roscoe_shear({.fluid_stress = fluid_stress,
-                               .shear_rate = flow.shear_rate(offset),
-                               .shear_modulus = cell.shear_modulus,
-                               .viscosity_ratio = cell.viscosity_ratio}));
+    try {
+        fill(answer, roscoe_shear({.fluid_stress = fluid_stress,
+                                   .shear_rate = flow.shear_rate(offset),
+                                   .shear_modulus = cell.shear_modulus,
+                                   .viscosity_ratio = cell.viscosity_ratio}));
+    } catch (const NotConverged&) {
+        // A stress ratio past what numbers hold: the entry stays empty, `beyond_range` says so.
+    }
     return answer;
 }
 
@@ -139,10 +143,24 @@ void add_exit_passage(const NozzleFlow& flow, Prediction& prediction) {
     CellAnswer answer = blank_cell(Place::exit, Model::ellipsoid, 0.0, 0.0, cell);
     answer.relaxation_time =
         relaxation_time(viscosity(flow.ink(), 0.0), cell.shear_modulus, cell.viscosity_ratio);
+    if (flow.velocity_average() == 0.0) {  // at rest nothing happens
+        answer.stretch = {1.0, 1.0, 1.0};
+        answer.stress = CellStress{};
+        prediction.cells.push_back(answer);
+        return;
+    }
     try {
-        const ExitPassage exit = exit_passage(flow, {.cell = {.radius = cell.radius,
-                                                              .shear_modulus = cell.shear_modulus,
-                                                              .viscosity_ratio = cell.viscosity_ratio}});
+        const ExitPassageRequest request =
+            exit_passage_request(flow, {.radius = cell.radius,
+                                        .shear_modulus = cell.shear_modulus,
+                                        .viscosity_ratio = cell.viscosity_ratio});
+        const ExitPassage exit = exit_passage(flow, request);
+        if (!request.effects.quadratic_flow) {
+            prediction.warnings.push_back(
+                {"no_bullet",
+                 "this cell is too soft to keep a shape in the nozzle (G R_c/μ above 1.3): the ellipsoid "
+                 "starts round before the exit and leaves out what the flow's curvature does to it"});
+        }
         const AxisCellState& peak = exit.passage.peak;
         const double axial = peak.axial_stretch * peak.axial_stretch;
         const double radial = 1.0 / peak.axial_stretch;
@@ -163,6 +181,24 @@ void add_exit_passage(const NozzleFlow& flow, Prediction& prediction) {
             {"no_transient", std::string("the cell could not be followed through the exit: ") + e.what()});
     }
     prediction.cells.push_back(answer);
+}
+
+void add_population(const NozzleFlow& flow, Prediction& prediction) {
+    const Case& question = prediction.question;
+    if (flow.velocity_average() == 0.0) {
+        prediction.warnings.push_back({"no_population", "nothing flows, so no cell is printed"});
+        return;
+    }
+    try {
+        prediction.population = population(flow, {.cell_radius = question.cell.radius,
+                                                  .shear_modulus = question.cell.shear_modulus,
+                                                  .viscosity_ratio = question.cell.viscosity_ratio,
+                                                  .length = question.length,
+                                                  .thresholds = question.thresholds});
+    } catch (const Error& e) {
+        prediction.warnings.push_back(
+            {"no_population", std::string("the cells could not all be followed: ") + e.what()});
+    }
 }
 
 RadialProfile profile_of(const NozzleFlow& flow, int points) {
@@ -216,6 +252,7 @@ Prediction predict(const Case& question) {
         .exit = {.elongation_rate = exit.elongation_rate, .elongational_stress = exit.elongational_stress},
         .cells = {},
         .profile = std::nullopt,
+        .population = std::nullopt,
         .warnings = {}};
     require_finite(prediction.nozzle, prediction.exit);
     prediction.question.positions = resolve_positions(question);
@@ -223,12 +260,13 @@ Prediction predict(const Case& question) {
         prediction.cells.push_back(cell_in_nozzle(flow, question.cell, position.value));
         if (position.value == 0.0) {
             prediction.cells.push_back(cell_in_exit(flow, prediction.exit, question.cell));
-            if (question.transient && flow.velocity_average() > 0.0) add_exit_passage(flow, prediction);
+            if (question.transient) add_exit_passage(flow, prediction);
         }
     }
     if (!std::isfinite(flow.pressure_gradient() * question.cell.radius / question.cell.shear_modulus))
         refuse_range();
     for (const CellAnswer& cell : prediction.cells) require_finite(cell);
+    if (question.population) add_population(flow, prediction);
     if (question.profile_points > 0) prediction.profile = profile_of(flow, question.profile_points);
     std::vector<Warning> warnings = warnings_of(prediction, flow);
     prediction.warnings.insert(prediction.warnings.begin(), std::make_move_iterator(warnings.begin()),

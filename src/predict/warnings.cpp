@@ -112,6 +112,13 @@ void check_stress_ratios(const Prediction& prediction, Collector& warn) {
                  "stress ratio up to " + brief(largest) + ": past " + brief(checked_stress_ratio) +
                      ", the range in which the ellipsoid theory was checked against simulations");
     }
+    for (const CellAnswer& cell : prediction.cells) {
+        if (cell.model == Model::roscoe_shear && !cell.stress) {
+            warn.add("beyond_range",
+                     "stress ratio " + brief(cell.stress_ratio) +
+                         ": beyond what numbers hold, the entry is empty; check the units of load and cell");
+        }
+    }
     const double bullet = prediction.nozzle.pressure_gradient * prediction.question.cell.radius /
                           prediction.question.cell.shear_modulus;
     const bool centred = std::any_of(prediction.cells.begin(), prediction.cells.end(),
@@ -162,6 +169,7 @@ std::vector<Warning> warnings_of(const Prediction& prediction, const NozzleFlow&
     Collector warn(warnings);
     check_sizes(prediction.question, warn);
     check_needle(prediction.question, warn);
+    if (!prediction.question.cell.remark.empty()) warn.add("borrowed_value", prediction.question.cell.remark);
     check_flow(prediction, flow, warn);
     check_positions(prediction, warn);
     check_stress_ratios(prediction, warn);

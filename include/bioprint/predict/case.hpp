@@ -23,6 +23,7 @@ struct CellChoice {
     double shear_modulus;          ///< μ [Pa]
     double poisson_ratio = 0.48;   ///< used by the simulation; the theories take an incompressible cell
     double viscosity_ratio = 1.0;  ///< λ = inner over outer viscosity
+    std::string remark = {};  ///< what the preset did not hold and was taken from elsewhere; empty: nothing
 };
 
 /// The one quantity that drives the flow.
@@ -53,7 +54,9 @@ struct Case {
     std::optional<NeedleChoice> needle;
     bool transient =
         true;  ///< also carry the centred cell through the exit in time (model "ellipsoid"); ~50 µs
-    int profile_points = 0;  ///< radial profile from axis to wall; 0: none, else at least 2
+    bool population = false;              ///< also the distribution over all cells of a print; ~20 ms
+    std::vector<double> thresholds = {};  ///< stresses whose excess the population is asked for [Pa]
+    int profile_points = 0;               ///< radial profile from axis to wall; 0: none, else at least 2
 };
 
 /// Every way in which a case is not a case: negative sizes, numbers that are not finite, a cell that does not

@@ -20,6 +20,14 @@ struct ExitPassage {
                           ///< left out
 };
 
+/// A cell on the axis keeps a bullet's shape up to about this G R_c/μ; softer ones are stretched without end in the
+/// nozzle (simulations find no steady shape at 2.6).
+inline constexpr double softest_bullet = 1.3;
+
+/// What to ask of exit_passage for a cell: all effects of its size where it keeps a shape in the nozzle, none where it
+/// does not.
+ExitPassageRequest exit_passage_request(const NozzleFlow& flow, const AxisCell& cell);
+
 /// @throws UsageError, NotConverged  as carry_along_axis
 ExitPassage exit_passage(const NozzleFlow& flow, const ExitPassageRequest& request);
 ExitPassage exit_passage(const NozzleFlow& flow, const ExitPassageRequest& request,

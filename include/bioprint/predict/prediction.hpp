@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bioprint/predict/case.hpp"
+#include "bioprint/predict/population.hpp"
 
 /// What is answered. SI units; what does not exist is nullopt and a warning says why.
 namespace bioprint {
@@ -74,6 +75,7 @@ struct Prediction {
     ExitAnswer exit;
     std::vector<CellAnswer> cells;  ///< by position, nozzle before exit
     std::optional<RadialProfile> profile;
+    std::optional<Population> population;
     std::vector<Warning> warnings;
 };
 
