@@ -28,15 +28,15 @@ The full reference: man bioprint-predict)";
 
 struct Raw {
     std::vector<std::string> values[key_count];
-    std::string batch;
-    std::string format;
-    std::string output;
-    std::string list;
-    std::string jobs;
+    std::optional<std::string> batch;
+    std::optional<std::string> format;
+    std::optional<std::string> output;
+    std::optional<std::string> list;
+    std::optional<std::string> jobs;
     std::vector<std::string> paths;
     std::string scene;
-    std::string fidelity;
-    std::string resolution;
+    std::optional<std::string> fidelity;
+    std::optional<std::string> resolution;
     bool json = false;
 };
 
@@ -132,32 +132,36 @@ void collect_question(const CLI::App& app, const Raw& raw, Arguments& arguments,
 }
 
 void collect_answer(const Raw& raw, Arguments& arguments, Problems& problems) {
-    if (!raw.batch.empty()) arguments.batch = raw.batch;
-    if (!raw.output.empty()) arguments.output = raw.output;
-    if (!raw.format.empty()) {
-        arguments.format = parse_format(raw.format);
+    arguments.batch = raw.batch;
+    arguments.output = raw.output;
+    for (const auto& [name, value] : {std::pair{"--batch", raw.batch}, {"--output", raw.output}}) {
+        if (value && value->empty())
+            problems.add(std::string(name) + ": got an empty name; it takes a file", name);
+    }
+    if (raw.format) {
+        arguments.format = parse_format(*raw.format);
         if (!arguments.format) {
-            problems.add("--format: got '" + raw.format + "'; it takes table, json, jsonl or csv",
+            problems.add("--format: got '" + *raw.format + "'; it takes table, json, jsonl or csv",
                          "--format");
         } else if (raw.json && arguments.format != Format::json) {
-            problems.add("--json: cannot be combined with --format " + raw.format + "; give one of the two",
+            problems.add("--json: cannot be combined with --format " + *raw.format + "; give one of the two",
                          "--json");
         }
     } else if (raw.json) {
         arguments.format = Format::json;
     }
     arguments.paths = raw.paths;
-    if (!raw.list.empty()) {
-        if (raw.list == "inks" || raw.list == "cells" || raw.list == "nozzles") {
+    if (raw.list) {
+        if (*raw.list == "inks" || *raw.list == "cells" || *raw.list == "nozzles") {
             arguments.list = raw.list;
         } else {
-            problems.add("--list: got '" + raw.list + "'; it takes inks, cells or nozzles", "--list");
+            problems.add("--list: got '" + *raw.list + "'; it takes inks, cells or nozzles", "--list");
         }
     }
-    if (!raw.jobs.empty()) {
-        arguments.jobs = parse_jobs(raw.jobs);
+    if (raw.jobs) {
+        arguments.jobs = parse_jobs(*raw.jobs);
         if (!arguments.jobs) {
-            problems.add("--jobs: got '" + raw.jobs + "'; it takes a number of threads from 1 to 9999",
+            problems.add("--jobs: got '" + *raw.jobs + "'; it takes a number of threads from 1 to 9999",
                          "--jobs");
         }
     }
@@ -171,26 +175,26 @@ void collect_answer(const Raw& raw, Arguments& arguments, Problems& problems) {
 
 void collect_simulation(const Raw& raw, Arguments& arguments, Problems& problems) {
     SimulationQuestion question;
-    if (!raw.fidelity.empty()) {
-        if (raw.fidelity == "draft") {
+    if (raw.fidelity) {
+        if (*raw.fidelity == "draft") {
             question.fidelity = Fidelity::draft;
-        } else if (raw.fidelity == "fine") {
+        } else if (*raw.fidelity == "fine") {
             question.fidelity = Fidelity::fine;
-        } else if (raw.fidelity != "standard") {
-            problems.add("--fidelity: got '" + raw.fidelity + "'; it takes draft, standard or fine",
+        } else if (*raw.fidelity != "standard") {
+            problems.add("--fidelity: got '" + *raw.fidelity + "'; it takes draft, standard or fine",
                          "--fidelity");
         }
     }
-    if (!raw.resolution.empty()) {
+    if (raw.resolution) {
         problems.collect([&] {
-            question.resolution = parse_quantity(raw.resolution, Dimension::dimensionless, "--resolution");
+            question.resolution = parse_quantity(*raw.resolution, Dimension::dimensionless, "--resolution");
             if (*question.resolution < 3.0 || *question.resolution > 48.0) {
                 throw UsageError("--resolution: takes 3 to 48 nodes a cell radius", "--resolution");
             }
         });
     }
     if (raw.scene.empty()) {
-        if (!raw.fidelity.empty() || !raw.resolution.empty()) {
+        if (raw.fidelity || raw.resolution) {
             problems.add("--fidelity and --resolution belong to a simulation; add --simulate", "--fidelity");
         }
         return;

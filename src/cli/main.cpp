@@ -47,7 +47,8 @@ void say(std::string_view text) {
 
 RunOptions run_options(const Arguments& arguments) {
     const bool terminal = !arguments.output && isatty(STDOUT_FILENO) != 0;
-    const bool colorless = arguments.no_color || std::getenv("NO_COLOR") != nullptr;
+    const char* const no_color = std::getenv("NO_COLOR");
+    const bool colorless = arguments.no_color || (no_color != nullptr && *no_color != '\0');
     return {.format = arguments.format.value_or(Format::table),
             .paths = arguments.paths,
             .style = {.color = terminal && !colorless, .quiet = arguments.quiet},

@@ -200,6 +200,10 @@ Json answer_object(const Prediction& prediction) {
     return answer.add("warnings", std::move(warnings)).take();
 }
 
+std::string json_text(const Json& value, int indent) {
+    return value.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
 Json refusal_object(const Refusal& refusal) {
     Json answer;
     answer["schema"] = schema_name;

@@ -53,7 +53,11 @@ RunResult run_json_lines(ByteSource& source, const Settings& defaults, const Run
     bool more = true;
     while (more && !result.interrupted) {
         lines.clear();
-        while (lines.size() < chunk_rows && (more = reader.next())) lines.push_back(std::move(reader.line()));
+        while (lines.size() < chunk_rows && (lines.empty() || reader.has_buffered_line())) {
+            more = reader.next();
+            if (!more) break;
+            lines.push_back(std::move(reader.line()));
+        }
         texts.assign(lines.size(), {});
         for_each_index(lines.size(), options.jobs, [&](std::size_t i) {
             texts[i] = writer.answer([&] {

@@ -31,7 +31,7 @@ std::string values_line(const RowAnswer& answer, const std::vector<std::string>&
 std::string value_text(const Json& value) {
     if (value.is_string()) return value.get<std::string>();
     if (value.is_number_float()) return format_shortest(value.get<double>());
-    return value.dump();
+    return json_text(value);
 }
 
 std::size_t cell_entries(const Settings& settings) {
@@ -70,7 +70,7 @@ RowText RowWriter::answer(const std::function<Settings()>& question) const {
     } else if (options_.format == Format::csv) {
         row.text = csv_row(answer.object);
     } else {
-        row.text = answer.object.dump();
+        row.text = json_text(answer.object);
         if (options_.format == Format::jsonl) row.text += '\n';
     }
     return row;

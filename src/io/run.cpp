@@ -39,9 +39,9 @@ void answer_one(const Settings& row, const RunOptions& options, const Sink& sink
         case Format::table:
             return sink(answer_table(prediction, options.style));
         case Format::json:
-            return sink(answer_object(prediction).dump(2) + "\n");
+            return sink(json_text(answer_object(prediction), 2) + "\n");
         case Format::jsonl:
-            return sink(answer_object(prediction).dump() + "\n");
+            return sink(json_text(answer_object(prediction)) + "\n");
         case Format::csv:
             break;
     }

@@ -24,8 +24,9 @@ std::string_view scene_name(SceneKind scene) {
     return "";
 }
 
-std::string_view fidelity_name(Fidelity fidelity) {
-    switch (fidelity) {
+std::string_view fidelity_name(const SimulationQuestion& question) {
+    if (question.resolution) return "custom";
+    switch (question.fidelity) {
         case Fidelity::draft:
             return "draft";
         case Fidelity::standard:
@@ -89,7 +90,7 @@ Json simulation_object(const Comparison& comparison, const SimulationQuestion& q
     const SimulationResult& run = comparison.run;
     Json object;
     object["scene"] = scene_name(run.scene);
-    object["fidelity"] = fidelity_name(question.fidelity);
+    object["fidelity"] = fidelity_name(question);
     object["lattice"] = lattice_object(run.lattice);
     object["steps"] = run.steps;
     object["wall_time"] = finite(run.wall_time);
@@ -161,7 +162,7 @@ std::string simulation_table(const Comparison& comparison, const SimulationQuest
     std::string text = "\n" + table_heading("Simulation: " + std::string(scene_name(run.scene)), style) +
                        table_grid(rows, 1) + "  " +
                        format_lab(run.lattice.nodes_per_cell_radius, Dimension::dimensionless, 3).number +
-                       " nodes a cell radius (" + std::string(fidelity_name(question.fidelity)) + "), " +
+                       " nodes a cell radius (" + std::string(fidelity_name(question)) + "), " +
                        std::to_string(run.steps) + " steps in " + lab(run.wall_time, Dimension::time) + "\n";
     if (!style.quiet) {
         for (const SimulationWarning& warning : run.warnings) text += "  - " + warning.message + "\n";
@@ -184,7 +185,7 @@ void write(const Prediction& prediction, const Comparison& comparison, const Sim
         for (const std::string& path : options.paths) sink(value_text(value_at(answer, path)) + "\n");
         return;
     }
-    sink(answer.dump(options.format == Format::json ? 2 : -1) + "\n");
+    sink(json_text(answer, options.format == Format::json ? 2 : -1) + "\n");
 }
 
 }  // namespace
@@ -228,6 +229,11 @@ void answer_with_simulation(const Settings& settings, const SimulationQuestion& 
     }
     const Prediction prediction = predict(settings.make_case());
     const SceneKind scene = scene_of(question.scene, prediction);
+    if (scene != SceneKind::exit_flow && prediction.question.cell.viscosity_ratio != 1.0) {
+        throw UsageError(
+            "--viscosity-ratio: the simulated cell is filled with the ink; leave it at 1 with --simulate",
+            "--viscosity-ratio");
+    }
     simulation.resolution = resolution_of(question);
     try {
         write(prediction, compare_with_simulation(prediction, scene, simulation), question, options, sink);

@@ -179,16 +179,27 @@ RadialProfile profile_of(const NozzleFlow& flow, int points) {
     return profile;
 }
 
+[[noreturn]] void refuse_range() {
+    throw NoSteadyFlow(
+        "no steady flow: the inputs are so far apart that the answer is beyond any number; check the "
+        "units of radius, load, ink and cell");
+}
+
 /// The inputs are finite, but their product need not be: 1e300 Pa over 1e-300 m is no pressure gradient.
 void require_finite(const NozzleAnswer& nozzle, const ExitAnswer& exit) {
     for (const double value : {nozzle.flow_rate, nozzle.pressure_gradient, nozzle.velocity_max,
                                nozzle.shear_rate_max, nozzle.stress_max, nozzle.pressure_drop.value_or(0.0),
                                nozzle.residence_time.value_or(0.0), exit.elongational_stress}) {
-        if (!std::isfinite(value)) {
-            throw NoSteadyFlow(
-                "no steady flow: the inputs are so far apart that the flow is beyond any number; "
-                "check the units of radius, load and ink");
-        }
+        if (!std::isfinite(value)) refuse_range();
+    }
+}
+
+void require_finite(const CellAnswer& cell) {
+    const CellStress stress = cell.stress.value_or(CellStress{});
+    for (const double value :
+         {cell.stress_ratio, cell.frequency.value_or(0.0), cell.relaxation_time.value_or(0.0),
+          stress.von_mises, stress.viscous, stress.elastic[0], stress.elastic[1], stress.elastic[2]}) {
+        if (!std::isfinite(value)) refuse_range();
     }
 }
 
@@ -215,6 +226,9 @@ Prediction predict(const Case& question) {
             if (question.transient && flow.velocity_average() > 0.0) add_exit_passage(flow, prediction);
         }
     }
+    if (!std::isfinite(flow.pressure_gradient() * question.cell.radius / question.cell.shear_modulus))
+        refuse_range();
+    for (const CellAnswer& cell : prediction.cells) require_finite(cell);
     if (question.profile_points > 0) prediction.profile = profile_of(flow, question.profile_points);
     std::vector<Warning> warnings = warnings_of(prediction, flow);
     prediction.warnings.insert(prediction.warnings.begin(), std::make_move_iterator(warnings.begin()),

@@ -79,7 +79,8 @@ struct Prediction {
 
 /// Answers a case: flow, exit, and each cell's stress and strain.
 /// @throws UsageError    the case is not sound (`problems_of`)
-/// @throws NoSteadyFlow  the ink cannot bear the load
+/// @throws NoSteadyFlow  the ink cannot bear the load, or the inputs are so far apart that no number holds the answer
+/// @throws NotConverged  a stress ratio above 1e40
 Prediction predict(const Case& question);
 
 }  // namespace bioprint
