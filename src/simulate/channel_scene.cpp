@@ -13,6 +13,7 @@ constexpr double longest_in_transits = 60.0;
 constexpr int control_interval = 64;
 constexpr double smallest_element = 0.85;  ///< of its undeformed volume
 constexpr double largest_element = 1.15;
+constexpr double largest_deformation = 0.1;
 constexpr double largest_volume_drift = 0.02;
 constexpr double largest_start_strain = 0.3;
 
@@ -264,6 +265,12 @@ ChannelState ChannelRun::finish() {
     }
     if (shape_.jacobian_min < smallest_element || shape_.jacobian_max > largest_element) {
         run_.log.warn("distorted-elements", "elements of the cell changed their volume by more than 15 %");
+    }
+    if (shape_.deformation > largest_deformation) {
+        run_.log.warn(
+            "strong-deformation",
+            "the cell is folded or drawn out so far that the mesh follows it only roughly; compare with a "
+            "finer resolution");
     }
     if (std::abs(shape_.volume / rest_.volume - 1.0) > largest_volume_drift) {
         run_.log.warn("volume-drift", "the cell's volume changed by more than 2 %");

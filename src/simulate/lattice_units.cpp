@@ -16,6 +16,7 @@ constexpr double largest_velocity = 0.05;
 constexpr double smallest_viscosity = 1e-3;
 constexpr int smallest_radius = 12;
 constexpr int largest_radius = 2000;
+constexpr double usual_confinement = 0.16;
 constexpr double largest_confinement = 0.6;
 /// The steady flow settles soonest when viscous and pressure diffusion take equally long: measured, c = 0.25
 /// N.
@@ -91,7 +92,9 @@ int layers_for(double resolution, double mesh_spacing) {
 }
 
 int nodes_for(const Scene& scene, int layers, double mesh_spacing) {
-    const double cell = scene.cell.radius > 0.0 ? scene.cell.radius : 0.16 * scene.nozzle_radius;
+    // Without a cell to resolve, the nozzle is given what it gets around a cell of the usual size.
+    const double cell =
+        scene.kind == SceneKind::exit_flow ? usual_confinement * scene.nozzle_radius : scene.cell.radius;
     const double nodes = layers * mesh_spacing * scene.nozzle_radius / cell;
     if (nodes > largest_radius) {
         throw UsageError(

@@ -180,10 +180,14 @@ SimulationResult simulate(const Scene& scene, const SimulationOptions& options) 
     check(scene, options);
     const auto begin = std::chrono::steady_clock::now();
     const NozzleFlow flow = NozzleFlow::from_velocity(scene.ink, scene.nozzle_radius, scene.velocity_average);
-    const int layers = layers_for(options.resolution, options.mesh_spacing);
-    const int nodes = nodes_for(scene, layers, options.mesh_spacing);
-    const int coarse_layers = layers / 2;
     const bool with_cell = scene.kind != SceneKind::exit_flow;
+    const int wanted = layers_for(options.resolution, options.mesh_spacing);
+    const int nodes = nodes_for(scene, wanted, options.mesh_spacing);
+    // A narrow nozzle's smallest lattice resolves the cell better than was asked for; the mesh follows.
+    const int layers = with_cell
+                           ? layers_for(nodes * scene.cell.radius / scene.nozzle_radius, options.mesh_spacing)
+                           : wanted;
+    const int coarse_layers = layers / 2;
     const int coarse_nodes = with_cell ? nodes_for(scene, coarse_layers, options.mesh_spacing)
                                        : std::max(smallest_nodes, nodes / 2);
     Keeper keeper(scene, options);

@@ -18,8 +18,14 @@
 ///   exit       that cell carried through the exit into the strand, until it has relaxed
 /// The strand keeps the nozzle's diameter and its surface is free of shear stress (no die swell).
 ///
-/// Each run is made twice, at the resolution asked for and at half of it, and every value carries the
-/// numerical error estimated from the two.
+/// Each run is made twice, at the resolution asked for and at half of it. What converges with a known order
+/// is extrapolated from the two, and every value carries the numerical error estimated from them. A cell of 3
+/// nodes has no coarser run beside it; its errors are those measured on reference cases.
+///
+/// Accuracy (R_c = 6 nodes; tests/verify/simulate_channel.cpp, tests/validate/exit_flow.cpp):
+///   exit flow   peak and average stress 0.1 %, stress on the axis 0.3 % of the peak (finite elements)
+///   channel     stress of a rigid sphere 0.5 %, its speed 0.01 %
+///   exit        peak stress 2 %, stretches 1 % (runs at twice the resolution)
 namespace bioprint {
 
 enum class SceneKind { exit_flow, channel, exit };
@@ -37,8 +43,7 @@ struct Scene {
     CrossInk ink;
     double nozzle_radius;     ///< [m]
     double velocity_average;  ///< [m/s]
-    SimulatedCell
-        cell{};  ///< its radius sets the resolution of exit_flow too; 0 there means a 6.25th of the nozzle's
+    SimulatedCell cell{};     ///< not read by exit_flow, whose nozzle gets 6.25 times the resolution
     ChannelDrive drive = ChannelDrive::flow_rate;
 };
 
