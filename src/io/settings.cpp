@@ -136,6 +136,10 @@ const std::array<KeyInfo, key_count>& key_table() {
         {Key::model, "model", "", "", std::nullopt, false,
          "ellipsoid: follow the centred cell through the exit in time (default); steady: the paper's theory "
          "alone"},
+        {Key::population, "population", "", "", std::nullopt, false,
+         "the distribution of the peak stress over all cells of a print"},
+        {Key::threshold, "threshold", "", "", Dimension::pressure, false,
+         "with --population: the share of cells above this stress; may be repeated"},
     }};
     return table;
 }
