@@ -12,3 +12,7 @@ bioprint_tests(lattice3d_exit
   SOURCES verify/d3q19_exit.cpp
   LINKS lattice flow
   LABELS slow)
+
+bioprint_tests(tetrahedra
+  SOURCES unit/solid/tetra_solid.cpp
+  LINKS solid)
