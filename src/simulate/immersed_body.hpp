@@ -20,7 +20,7 @@ namespace bioprint {
 
 struct ImmersedBodySetup {
     double radius;
-    double spacing = 1.5;  ///< of the mesh's nodes, nearest built-in mesh
+    double spacing = 2.0;  ///< of the mesh's nodes, nearest built-in mesh
     bool inside = true;    ///< couple through points inside the elements
     double shear_modulus;
     double bulk_modulus = 0.0;      ///< 0: the fluid alone keeps the volume

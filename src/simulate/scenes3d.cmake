@@ -1,4 +1,6 @@
 # The scenes in three dimensions.
 target_sources(bioprint_simulate PRIVATE
+  ellipsoid_axes.cpp
   immersed_body.cpp
+  offset_channel_scene.cpp
   shear_scene.cpp)

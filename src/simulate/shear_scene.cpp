@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bioprint/errors.hpp"
+#include "simulate/ellipsoid_axes.hpp"
 #include "simulate/immersed_body.hpp"
 
 namespace bioprint {
@@ -47,43 +48,6 @@ void check(const ShearSceneSetup& setup) {
     }
 }
 
-/// The equivalent ellipsoid with its third axis along the vorticity, in the cell's radii.
-struct Shape {
-    std::array<double, 3> stretch;
-    double angle;
-    std::array<Vector3, 3> axis;
-};
-
-Shape shape(const Ellipsoid& ellipsoid, double radius) {
-    int vorticity = 0;
-    for (int k = 1; k < 3; ++k) {
-        if (std::abs(ellipsoid.directions[k][2]) > std::abs(ellipsoid.directions[vorticity][2])) {
-            vorticity = k;
-        }
-    }
-    const int first = vorticity == 0 ? 1 : 0;
-    const int second = 3 - first - vorticity;
-    const Vector3& d = ellipsoid.directions[first];
-    Shape shape{};
-    shape.stretch = {ellipsoid.semi_axes[first] / radius, ellipsoid.semi_axes[second] / radius,
-                     ellipsoid.semi_axes[vorticity] / radius};
-    shape.angle = std::atan(d[1] / d[0]);
-    const double c = std::cos(shape.angle);
-    const double s = std::sin(shape.angle);
-    shape.axis = {Vector3{c, s, 0.0}, Vector3{-s, c, 0.0}, Vector3{0.0, 0.0, 1.0}};
-    return shape;
-}
-
-double component(const Matrix3& m, const Vector3& a, const Vector3& b) {
-    double sum = 0.0;
-    for (int i = 0; i < 3; ++i) {
-        for (int k = 0; k < 3; ++k) {
-            sum += a[i] * m[i][k] * b[k];
-        }
-    }
-    return sum;
-}
-
 }  // namespace
 
 ShearSceneResult run_shear_scene(const ShearSceneSetup& setup) {
@@ -108,7 +72,11 @@ ShearSceneResult run_shear_scene(const ShearSceneSetup& setup) {
 
     const double stress = setup.fluid_stress / (lu.nu * lu.rate);  // Pa a lattice unit
     const double time = lu.rate / setup.shear_rate;                // s a step
-    const double rest_radius = cell.state().ellipsoid.semi_axes[1];
+    const MirrorEllipsoid rest = mirror_ellipsoid(cell.state().ellipsoid);
+    const auto stretches = [&](const MirrorEllipsoid& e) {
+        return std::array<double, 3>{e.semi_axes[0] / rest.semi_axes[0], e.semi_axes[1] / rest.semi_axes[1],
+                                     e.semi_axes[2] / rest.semi_axes[2]};
+    };
     ShearSceneResult result{};
     result.box = {nx / r, ny / r, 2 * nz / r};
     result.nodes = lattice.fluid_nodes();
@@ -126,8 +94,8 @@ ShearSceneResult run_shear_scene(const ShearSceneSetup& setup) {
         if (!std::isfinite(state.von_mises)) {
             throw NotConverged("the shear scene lost its numbers");
         }
-        const Shape now = shape(state.ellipsoid, rest_radius);
-        result.series.push_back({result.steps * time, state.von_mises * stress, now.stretch, now.angle});
+        const MirrorEllipsoid now = mirror_ellipsoid(state.ellipsoid);
+        result.series.push_back({result.steps * time, state.von_mises * stress, stretches(now), now.angle});
         result.peak_von_mises = std::max(result.peak_von_mises, state.von_mises * stress);
         const std::size_t n = result.series.size();
         if (n > 2 * samples_a_unit) {
@@ -140,9 +108,9 @@ ShearSceneResult run_shear_scene(const ShearSceneSetup& setup) {
             }
         }
     }
-    const Shape end = shape(state.ellipsoid, rest_radius);
+    const MirrorEllipsoid end = mirror_ellipsoid(state.ellipsoid);
     const Matrix3 gradient = cell.solid().mean_gradient(cell.positions(), cell.velocities());
-    result.stretch = end.stretch;
+    result.stretch = stretches(end);
     result.angle = end.angle;
     result.von_mises = state.von_mises * stress;
     result.volume = state.volume / cell.solid().rest_volume();
@@ -150,12 +118,11 @@ ShearSceneResult run_shear_scene(const ShearSceneSetup& setup) {
     for (int k = 0; k < 3; ++k) {
         result.elastic[k] = (component(state.stress, end.axis[k], end.axis[k]) - mean) * stress;
     }
-    // In the ellipsoid's axes a tank-treading interior has ∂u1/∂x2 = −ν α1/α2 and ∂u2/∂x1 = ν α2/α1, up to
-    // the sense.
-    const double l12 = component(gradient, end.axis[0], end.axis[1]);
-    const double l21 = component(gradient, end.axis[1], end.axis[0]);
-    result.frequency = std::sqrt(std::max(-l12 * l21, 0.0)) / time;
-    result.viscous = lu.nu * (l12 + l21) * stress;
+    result.frequency = tank_treading_frequency(gradient, end) / time;
+    result.viscous =
+        lu.nu *
+        (component(gradient, end.axis[0], end.axis[1]) + component(gradient, end.axis[1], end.axis[0])) *
+        stress;
     return result;
 }
 

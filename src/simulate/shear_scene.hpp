@@ -21,7 +21,7 @@ struct ShearSceneSetup {
     double longest = 30.0;                       ///< γ̇ t at which the run ends in any case
     double steady = 2e-4;  ///< relative change of the von Mises stress per unit of γ̇ t that counts as none
     bool inside = true;    ///< couple through points inside the elements
-    double mesh_spacing = 1.5;  ///< in lattice nodes
+    double mesh_spacing = 2.0;  ///< in lattice nodes
     int threads = 1;
 };
 

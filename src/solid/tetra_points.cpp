@@ -1,5 +1,6 @@
 #include "solid/tetra_points.hpp"
 
+#include <Eigen/LU>
 #include <Eigen/SparseCholesky>
 #include <cmath>
 
