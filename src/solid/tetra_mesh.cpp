@@ -20,19 +20,21 @@ constexpr Known whole_balls[] = {{"ball-h33", 1.0 / 3},
                                  {"ball-h20", 0.2},
                                  {"ball-h16", 1.0 / 6},
                                  {"ball-paper", 0.1305}};
-constexpr Known half_balls[] = {{"half-h50", 0.5},  {"half-h40", 0.4}, {"half-h33", 1.0 / 3},
-                                {"half-h25", 0.25}, {"half-h20", 0.2}, {"half-h16", 1.0 / 6},
-                                {"half-h12", 0.125}};
+constexpr Known half_balls[] = {{"half-h65", 0.65},    {"half-h50", 0.5},  {"half-h40", 0.4},
+                                {"half-h33", 1.0 / 3}, {"half-h25", 0.25}, {"half-h20", 0.2},
+                                {"half-h16", 1.0 / 6}, {"half-h12", 0.125}};
 
+/// The finest mesh that is not finer than asked for, give or take a twentieth: an immersed mesh finer than
+/// the lattice can move carries noise. Lists fall in edge length.
 template <std::size_t size>
-const char* nearest(const Known (&list)[size], double edge) {
-    const Known* best = list;
+const char* mesh_for(const Known (&list)[size], double edge) {
+    const char* name = list[0].name;
     for (const Known& known : list) {
-        if (std::abs(std::log(known.edge / edge)) < std::abs(std::log(best->edge / edge))) {
-            best = &known;
+        if (known.edge >= 0.95 * edge) {
+            name = known.name;
         }
     }
-    return best->name;
+    return name;
 }
 
 double element_volume(const TetraMesh& mesh, const std::array<int, 4>& element) {
@@ -105,7 +107,7 @@ double volume(const TetraMesh& mesh) {
 }
 
 TetraMesh ball_mesh(double radius, double edge, bool half) {
-    return scaled_ball(half ? nearest(half_balls, edge / radius) : nearest(whole_balls, edge / radius),
+    return scaled_ball(half ? mesh_for(half_balls, edge / radius) : mesh_for(whole_balls, edge / radius),
                        radius, half);
 }
 
