@@ -2,43 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "bioprint/errors.hpp"
 #include "bioprint/flow/nozzle_flow.hpp"
 #include "simulate/ellipsoid_axes.hpp"
 #include "simulate/immersed_body.hpp"
+#include "simulate/offset_view.hpp"
 
 namespace bioprint {
 
 namespace {
-
-// What closes the time step; the tightest holds.
-constexpr double fastest = 0.08;   // velocity on the axis: a cell crosses no more of a spacing in a step
-constexpr double reynolds = 0.5;   // γ̇ R_c²/ν at the wall: the fluid follows the cell
-constexpr double stiffest = 0.02;  // μ: elastic waves stay slower than sound
-
-struct Units {
-    double spacing;  ///< [m]
-    double time;     ///< [s]
-    double nu0;      ///< zero-shear viscosity of the lattice
-    double stress;   ///< [Pa]
-};
-
-Units units(const OffsetChannelSetup& setup, const NozzleFlow& flow) {
-    const double dx = setup.cell_radius / setup.nodes;
-    const double wall_rate = flow.shear_rate_max();
-    const double wall_viscosity = viscosity(setup.ink, wall_rate);
-    const double thinning = wall_viscosity / setup.ink.eta0;
-    const double a2 = setup.nodes * setup.nodes;
-    // With s = η0/μ: μ_lu = nu0 dt/s. For a given nu0 each limit bounds dt; nu0 is chosen so that the last
-    // two meet.
-    const double s = setup.ink.eta0 / setup.shear_modulus;
-    const double nu0 = std::clamp(std::sqrt(stiffest * s * wall_rate * a2 / (reynolds * thinning)), 0.5, 4.0);
-    const double dt = std::min({fastest * dx / flow.velocity_max(),
-                                reynolds * thinning * nu0 / (wall_rate * a2), stiffest * s / nu0});
-    return {dx, dt, nu0, setup.ink.eta0 / (nu0 * dt)};
-}
 
 void check(const OffsetChannelSetup& setup) {
     const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
@@ -63,7 +36,7 @@ class Channel {
     explicit Channel(const OffsetChannelSetup& setup)
         : setup_(setup),
           flow_(NozzleFlow::from_velocity(setup.ink, setup.radius, setup.velocity_average)),
-          lu_(units(setup, flow_)),
+          lu_(offset_units({setup.cell_radius, setup.shear_modulus, setup.nodes}, flow_)),
           radius_(setup.radius / lu_.spacing),
           lattice_(lattice_setup()),
           cell_(body_setup(), lattice_, {0.5 * lattice_.nx(), setup.offset / lu_.spacing, 0.0}),
@@ -73,6 +46,7 @@ class Channel {
 
     OffsetChannelResult run() {
         OffsetChannelResult result{.series = {},
+                                   .shape = {},
                                    .complete = false,
                                    .time_step = lu_.time,
                                    .radius_lu = radius_,
@@ -104,6 +78,11 @@ class Channel {
             }
         }
         result.complete = true;
+        const Vector3 centre = cell_.state().ellipsoid.centre;
+        for (const Vector3& p : cell_.positions()) {
+            result.shape.push_back(
+                {(p[0] - centre[0]) / setup_.nodes, (p[1] - centre[1]) / setup_.nodes, p[2] / setup_.nodes});
+        }
         return result;
     }
 
@@ -147,64 +126,24 @@ class Channel {
     }
 
     OffsetChannelSample observe() const {
-        const SolidState state = cell_.state();
-        if (!std::isfinite(state.von_mises) || !std::isfinite(state.volume)) {
-            throw NotConverged("the channel scene lost its numbers");
-        }
-        const MirrorEllipsoid now = mirror_ellipsoid(state.ellipsoid);
-        const Matrix3 gradient = cell_.solid().mean_gradient(cell_.positions(), cell_.velocities());
+        const OffsetView<Real> view(lattice_, cell_, rest_);
         OffsetChannelSample sample{};
-        sample.path = state.ellipsoid.centre[0];
-        sample.offset = state.ellipsoid.centre[1] * lu_.spacing;
-        sample.von_mises = state.von_mises * lu_.stress;
+        sample.path = view.centre()[0];
+        sample.offset = view.centre()[1] * lu_.spacing;
+        sample.von_mises = view.von_mises() * lu_.stress;
         sample.pressure_gradient = lattice_.body_force()[0] * lu_.stress / lu_.spacing;
         sample.fluid_stress = 0.5 * sample.pressure_gradient * std::abs(sample.offset);
-        for (int k = 0; k < 3; ++k) {
-            sample.stretch[k] = now.semi_axes[k] / rest_.semi_axes[k];
-        }
-        sample.angle = now.angle;
-        sample.frequency = tank_treading_frequency(gradient, now) / lu_.time;
-        sample.viscous = viscous_stress(state.ellipsoid.centre, now) * lu_.stress;
-        sample.volume = state.volume / cell_.solid().rest_volume();
+        sample.stretch = view.stretch();
+        sample.angle = view.angle();
+        sample.frequency = view.frequency() / lu_.time;
+        sample.viscous = view.viscous_stress() * lu_.stress;
+        sample.volume = view.volume();
         return sample;
-    }
-
-    /// Mean over the lattice nodes in the equivalent ellipsoid of the viscous shear stress in its axes.
-    double viscous_stress(const Vector3& centre, const MirrorEllipsoid& ellipsoid) const {
-        const Section& section = lattice_.section();
-        const int reach = static_cast<int>(std::ceil(ellipsoid.semi_axes[0])) + 1;
-        double sum = 0.0;
-        long count = 0;
-        const int y0 = static_cast<int>(std::floor(centre[1] + section.origin_y));
-        const int x0 = static_cast<int>(std::floor(centre[0]));
-        for (int z = 0; z < std::min(reach, section.nz); ++z) {
-            for (int y = y0 - reach; y <= y0 + reach; ++y) {
-                const int row = lattice_.row(y, z);
-                for (int x = x0 - reach; row >= 0 && x <= x0 + reach; ++x) {
-                    const Vector3 d{x + 0.5 - centre[0], section.y_of(y) - centre[1], section.z_of(z)};
-                    double inside = 0.0;
-                    for (int k = 0; k < 3; ++k) {
-                        const Vector3& axis = ellipsoid.axis[k];
-                        const double along = axis[0] * d[0] + axis[1] * d[1] + axis[2] * d[2];
-                        inside += along * along / (ellipsoid.semi_axes[k] * ellipsoid.semi_axes[k]);
-                    }
-                    if (inside > 1.0) {
-                        continue;
-                    }
-                    const int nx = lattice_.nx();
-                    const auto s = lattice_.at(((x % nx) + nx) % nx, row).viscous_stress;
-                    const Matrix3 m{{{s[0], s[3], s[4]}, {s[3], s[1], s[5]}, {s[4], s[5], s[2]}}};
-                    sum += component(m, ellipsoid.axis[0], ellipsoid.axis[1]);
-                    ++count;
-                }
-            }
-        }
-        return count > 0 ? sum / count : 0.0;
     }
 
     const OffsetChannelSetup& setup_;
     NozzleFlow flow_;
-    Units lu_;
+    OffsetUnits lu_;
     double radius_;
     D3q19<Real> lattice_;
     ImmersedBody<Real> cell_;

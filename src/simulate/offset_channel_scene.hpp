@@ -52,9 +52,10 @@ struct OffsetChannelSample {
 
 struct OffsetChannelResult {
     std::vector<OffsetChannelSample> series;
-    bool complete;     ///< false when `progress` ended the run
-    double time_step;  ///< [s]
-    double radius_lu;  ///< of the nozzle, in nodes
+    std::vector<std::array<double, 3>> shape;  ///< nodes of the mesh about the centre, in cell radii
+    bool complete;                             ///< false when `progress` ended the run
+    double time_step;                          ///< [s]
+    double radius_lu;                          ///< of the nozzle, in nodes
     long steps;
     long nodes;
 };

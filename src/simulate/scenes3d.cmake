@@ -3,4 +3,6 @@ target_sources(bioprint_simulate PRIVATE
   ellipsoid_axes.cpp
   immersed_body.cpp
   offset_channel_scene.cpp
+  offset_exit_scene.cpp
+  offset_view.cpp
   shear_scene.cpp)
