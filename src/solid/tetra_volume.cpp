@@ -44,6 +44,13 @@ TetraVolume::TetraVolume(const TetraMesh& mesh, bool half)
             rest_[node] += v;
         }
     }
+    double total = 0.0;
+    for (const double v : rest_) {
+        total += v;
+    }
+    // Volume gradients have the size of an area: over a length they make a step. The same length for every
+    // node keeps the sum of all steps zero, so that the descent never carries the body along.
+    spacing_ = std::cbrt(total / static_cast<double>(rest_.size()));
 }
 
 void TetraVolume::relax(std::vector<Vector3>& positions, double strength) {
@@ -69,11 +76,8 @@ void TetraVolume::relax(std::vector<Vector3>& positions, double strength) {
         }
     }
     for (std::size_t n = 0; n < positions.size(); ++n) {
-        // Volume gradients have the size of an area, rest^(2/3): dividing by it to the half makes a step a
-        // length.
-        const double scale = strength / std::cbrt(rest_[n]);
         for (int i = 0; i < (half_ && mesh_.nodes[n][2] == 0.0 ? 2 : 3); ++i) {
-            positions[n][i] -= scale * step_[n][i];
+            positions[n][i] -= strength / spacing_ * step_[n][i];
         }
     }
 }

@@ -25,6 +25,7 @@ class TetraVolume {
   private:
     TetraMesh mesh_;
     bool half_;
+    double spacing_ = 1.0;
     std::vector<double> rest_, volume_;
     std::vector<Vector3> step_;
 };

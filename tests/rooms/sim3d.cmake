@@ -22,3 +22,8 @@ bioprint_tests(simulate3d_convergence
   SOURCES verify/shear_scene_convergence.cpp
   LINKS simulate cell
   LABELS slow)
+
+bioprint_tests(simulate3d_offset
+  SOURCES verify/offset_scenes.cpp
+  LINKS simulate cell flow
+  LABELS slow)
