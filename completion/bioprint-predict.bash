@@ -22,6 +22,9 @@ _bioprint_predict() {
     case $previous in
         -f | --format) words='table json jsonl csv' ;;
         --tip) words='steel tapered hypodermic' ;;
+        --model) words='ellipsoid steady' ;;
+        --simulate) words='auto exit-flow channel exit' ;;
+        --fidelity) words='draft standard fine' ;;
         --list) words='inks cells nozzles' ;;
         --needle) words=$(_bioprint_predict_presets "$program" nozzles) ;;
         --cell) words=$(_bioprint_predict_presets "$program" cells) ;;
@@ -36,7 +39,7 @@ _bioprint_predict() {
             ;;
         -R | --radius | --diameter | -Q | --flowrate | --velocity | --pressure-gradient | --pressure | --length | \
             --eta0 | --eta-inf | -K | --time-constant | -a | --alpha | --cell-radius | --shear-modulus | \
-            --poisson-ratio | --viscosity-ratio | --offset | --profile | --get | -j | --jobs)
+            --poisson-ratio | --viscosity-ratio | --offset | --profile | --get | --resolution | -j | --jobs)
             return # a quantity: nothing to propose
             ;;
         *)
@@ -44,8 +47,8 @@ _bioprint_predict() {
             words='-R --radius --diameter --needle --tip -Q --flowrate --velocity --pressure-gradient --pressure --length
                 --ink --eta0 --eta-inf -K --time-constant -a --alpha
                 --cell --cell-radius --shear-modulus --poisson-ratio --viscosity-ratio --offset
-                --profile --batch -f --format --json --get -o --output
-                -j --jobs -q --quiet -v --verbose --no-color --list --version -h --help'
+                --model --profile --batch -f --format --json --get -o --output
+                -j --jobs -q --quiet -v --verbose --no-color --list --simulate --fidelity --resolution --version -h --help'
             ;;
     esac
     local proposals

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "bioprint/errors.hpp"
@@ -24,8 +25,10 @@
 namespace bioprint {
 namespace {
 
-/// Where the inner iteration takes its last step, relative.
-constexpr double close_enough = 1e-4;
+/// Where the inner iteration takes its last step, relative. The implicit integrator differentiates the
+/// result.
+constexpr double close_enough = 1e-3;
+constexpr double closest = 1e-9;
 
 using State = OdeState<4>;
 enum Component : std::size_t { log_stretch, mode1, mode3, elapsed };
@@ -56,20 +59,24 @@ class Passage {
         const AxisFlow here = flow_(z);
         const double local = viscosity(ink_, rate(here.elongation));
         double elongation = here.elongation;
-        if (effects_.volume_average) elongation = average_elongation(z);
+        if (effects_.volume_average) elongation = average_elongation(z, here.elongation, local);
         const double radial = effects_.quadratic_flow ? here.radial / local : 0.0;
         // Mean square over the cell's volume; the shear 2 U2 ρ has ⟨ρ²⟩ = (2/5) a².
         const double square = 3.0 * elongation * elongation + 1.6 * a * a * radial * radial;
         const double eta = viscosity(ink_, std::sqrt(square));
-        const double slip = effects_.quadratic_flow ? a * a / 6.0 * (2.0 * here.axial + 4.0 * radial) : 0.0;
+        const double faxen = effects_.quadratic_flow ? a * a / 6.0 * (2.0 * here.axial + 4.0 * radial) : 0.0;
+        const double slip = std::clamp(faxen, -0.2 * here.velocity, 0.2 * here.velocity);
         const double axial = effects_.quadratic_flow ? eta * here.axial * a : 0.0;
         const double across = effects_.quadratic_flow ? here.radial * a : 0.0;
-        return {.velocity = std::max(here.velocity + slip, 1e-3 * here.velocity),
+        return {.velocity = here.velocity + slip,
                 .elongation = elongation,
                 .viscosity = eta,
                 .x1 = axial + 2.0 * across,
                 .x3 = 2.0 * axial - across};
     }
+
+    /// For the implicit integrator: rates without the noise of an unfinished iteration.
+    void be_precise() { close_enough_ = closest; }
 
     State derivative(double z, const State& y) {
         const Surroundings s = surroundings(z);
@@ -154,22 +161,33 @@ class Passage {
     /// α1² − 1/α1
     static double stretch_difference(double x) { return 2.0 * std::exp(0.5 * x) * std::sinh(1.5 * x); }
 
-    /// ⟨∂u_z/∂z⟩ over the ball: (3/(2a³)) ∫ ξ [U(ξ) + (a²−ξ²) U2(ξ)] dξ, by parts from slices.
-    [[nodiscard]] double average_elongation(double z) const {
+    /// ⟨∂u_z/∂z⟩ over the ball: (3/(2a³)) ∫ ξ [U(ξ) + (a²−ξ²) U2(ξ)] dξ, by parts from slices. The viscosity
+    /// in U2 is taken at the centre and the outer pair of points, its inverse quadratic between them.
+    [[nodiscard]] double average_elongation(double z, double at_centre, double viscosity_at_centre) const {
         const double a = cell_.radius;
-        double sum = 0.0;
-        for (std::size_t i = 0; i < 2; ++i) {
-            const AxisFlow ahead = flow_(z + a * short_node[i]);
-            const AxisFlow behind = flow_(z - a * short_node[i]);
-            double difference = ahead.velocity - behind.velocity;
-            if (effects_.quadratic_flow) {
-                difference += a * a * (1.0 - short_node[i] * short_node[i]) *
-                              (ahead.radial / viscosity(ink_, rate(ahead.elongation)) -
-                               behind.radial / viscosity(ink_, rate(behind.elongation)));
-            }
-            sum += short_weight[i] * short_node[i] * difference;
+        const double outer = short_node[1];
+        const AxisFlow ahead = flow_(z + a * outer);
+        const AxisFlow behind = flow_(z - a * outer);
+        const AxisFlow ahead_near = flow_(z + a * short_node[0]);
+        const AxisFlow behind_near = flow_(z - a * short_node[0]);
+        double far = ahead.velocity - behind.velocity;
+        double near = ahead_near.velocity - behind_near.velocity;
+        if (effects_.quadratic_flow) {
+            const double centre = 1.0 / viscosity_at_centre;
+            const double plus = 1.0 / viscosity(ink_, rate(ahead.elongation));
+            const double minus = 1.0 / viscosity(ink_, rate(behind.elongation));
+            const double t = short_node[0] / outer;
+            const double odd = 0.5 * t * (plus - minus);
+            const double even = centre + t * t * (0.5 * (plus + minus) - centre);
+            far += a * a * (1.0 - outer * outer) * (ahead.radial * plus - behind.radial * minus);
+            near += a * a * (1.0 - short_node[0] * short_node[0]) *
+                    (ahead_near.radial * (even + odd) - behind_near.radial * (even - odd));
         }
-        return 1.5 / a * sum;
+        const double average =
+            1.5 / a * (short_weight[1] * outer * far + short_weight[0] * short_node[0] * near);
+        const double most =
+            std::max({std::abs(at_centre), std::abs(ahead.elongation), std::abs(behind.elongation)}) / 3.0;
+        return std::clamp(average, at_centre - most, at_centre + most);
     }
 
     /// d from the balance of stresses: a fixed point in the two viscosities that depend on it, by secant
@@ -195,15 +213,21 @@ class Passage {
         double d = next(before);
         double step_before = d - before;
         const double scale = std::abs(d) + std::abs(s.elongation);
-        for (int i = 0; i < 40; ++i) {
+        // The balance grows with d, so a step up means that the root lies above: the bracket strong thinning
+        // needs.
+        double low = -std::numeric_limits<double>::infinity();
+        double high = std::numeric_limits<double>::infinity();
+        for (int i = 0; i < 80; ++i) {
             const double step = next(d) - d;
+            if (step == 0.0) break;
+            (step > 0.0 ? low : high) = d;
             const double slope = (step - step_before) / (d - before);
             before = d;
             step_before = step;
-            // A fixed point that attracts has slope < 0; a secant that says otherwise is not trusted. The
-            // error left is the step times that of the slope: two orders below.
+            // The error a secant step leaves is the step times that of the slope: two orders below.
             d += slope < -0.05 ? -step / slope : step;
-            if (std::abs(step) <= close_enough * scale) break;
+            if (!(d > low && d < high)) d = std::isfinite(low + high) ? 0.5 * (low + high) : before + step;
+            if (std::abs(step) <= close_enough_ * scale || high - low <= 1e-14 * scale) break;
         }
         return d;
     }
@@ -213,6 +237,7 @@ class Passage {
     const AxisCell& cell_;
     const AxisEffects& effects_;
     ThinningResponse thinning_;
+    double close_enough_ = close_enough;
     double around_ = 0.0;  ///< viscosity the disturbance met last
     double inside_ = 0.0;  ///< and that inside the cell
 };
@@ -326,9 +351,11 @@ AxisPassage carry_along_axis(FunctionRef<AxisFlow(double)> flow, const CrossInk&
     const State scale{load, load, load, duration};
     Recorder recorder(passage, way, start, observe);
     const auto f = [&](double z, const State& y) { return passage.derivative(z, y); };
-    const OdeOptions options{.tolerance = way.tolerance, .first_step = 0.01 * (way.to - way.from)};
+    const OdeOptions options{
+        .tolerance = way.tolerance, .first_step = 0.01 * (way.to - way.from), .max_steps = 20000};
     // An explicit step cannot be much longer than the relaxation time.
     const bool stiff = relaxations > 1000.0;
+    if (stiff) passage.be_precise();
     const auto done = stiff ? rosenbrock<4>(f, way.from, way.to, start, scale, options, recorder)
                             : dormand_prince<4>(f, way.from, way.to, start, scale, options, recorder);
     if (!done.finished) throw NotConverged("cell on the axis: the integration in time gave up");

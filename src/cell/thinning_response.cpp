@@ -62,6 +62,9 @@ const Points& points() {
 /// γ̇^α of the disturbed ink at every point, for e = cos φ and d − e = sin φ.
 using Powers = std::array<double, 36>;
 
+constexpr double deepest_level = 0.97;
+constexpr double least_ratio = 0.05;
+
 Powers powers(double cosine, double sine, double alpha) {
     Powers p{};
     for (std::size_t k = 0; k < points().size(); ++k) {
@@ -144,7 +147,8 @@ double ThinningResponse::operator()(double elongation, double disturbance) const
     const Sizes s = sizes(elongation, disturbance);
     if (s.size == 0.0) return 1.0;
     const double power = std::pow(time_constant_ * std::numbers::sqrt3 * s.size, alpha_);
-    const double u = 4.0 * (power / (1.0 + power)) - 2.0;
+    // Deep in the power law the ratio no longer changes but where the ink is at rest around the cell.
+    const double u = 4.0 * std::min(power / (1.0 + power), deepest_level) - 2.0;
     const double v = 2.0 * (s.angle / (0.5 * std::numbers::pi));
     double b1 = 0.0;
     double b2 = 0.0;
@@ -157,7 +161,7 @@ double ThinningResponse::operator()(double elongation, double disturbance) const
             a1 = a;
         }
         const double row = 0.5 * u * a1 - a2 + series_[m][0];
-        if (m == 0) return (0.5 * v * b1 - b2 + row) / (1.0 + power);
+        if (m == 0) return std::max(0.5 * v * b1 - b2 + row, least_ratio) / (1.0 + power);
         const double b = v * b1 - b2 + row;
         b2 = b1;
         b1 = b;

@@ -18,8 +18,9 @@
 /// + (η0 − η_inf) c_b, and c_b is tabulated over the ratio of e to d − e and the size of both, once for each
 /// α. The field is that of uniaxial elongation; for other flows the sizes of the two tensors are used.
 ///
-/// Accuracy of the table against the integral: 2e-3 for α ≤ 1.           tests/verify/thinning_response.cpp
-/// Cost: 10 µs to build, 0.1 µs a call.
+/// Accuracy of the table against the integral: 8e-3 α, 4e-2 α for ink at rest around the cell; (K γ̇)^α up to
+/// 30, above which the ratio to the undisturbed viscosity is kept. tests/verify/thinning_response.cpp Cost:
+/// 10 µs to build, 0.1 µs a call.
 namespace bioprint {
 
 class ThinningResponse {

@@ -239,9 +239,14 @@ TransientState carry_cell(FunctionRef<AmbientFlow(double)> flow, const Transient
     State scale{};
     scale.fill(load);
     const auto f = [&](double t, const State& y) { return derivative(flow(t), cell, y); };
+    const int samples = std::max(1, options.samples);
     const auto record = [&](const OdeStep<6>& step) {
-        state = transient_state(step.to, unpacked(step.end), cell);
-        observe(state);
+        for (int i = 1; i <= samples; ++i) {
+            const double theta = static_cast<double>(i) / samples;
+            const State y = i == samples ? step.end : step.at(theta);
+            state = transient_state(step.from + theta * (step.to - step.from), unpacked(y), cell);
+            observe(state);
+        }
         return true;
     };
     const OdeOptions ode{

@@ -21,18 +21,22 @@ Examples:
   bioprint-predict --radius 50um --flowrate 141uL/h --alpha 0.75
   bioprint-predict --needle 25G --tip steel --flowrate 20uL/min --ink alginate-2-25C --json
   bioprint-predict --batch runs.csv --output answers.csv
+  bioprint-predict --alpha 0.75 --simulate=exit --fidelity draft
 Exit status: 0 answered, 1 a bug, 2 the call is wrong, 3 no steady flow, 4 a file could not be
-  read or written, 6 some rows of a batch failed, 130 interrupted.
+  read or written, 5 a simulation did not come to its end, 6 some rows of a batch failed, 130 interrupted.
 The full reference: man bioprint-predict)";
 
 struct Raw {
     std::vector<std::string> values[key_count];
-    std::string batch;
-    std::string format;
-    std::string output;
-    std::string list;
-    std::string jobs;
+    std::optional<std::string> batch;
+    std::optional<std::string> format;
+    std::optional<std::string> output;
+    std::optional<std::string> list;
+    std::optional<std::string> jobs;
     std::vector<std::string> paths;
+    std::string scene;
+    std::optional<std::string> fidelity;
+    std::optional<std::string> resolution;
     bool json = false;
 };
 
@@ -83,6 +87,19 @@ void add_answer_options(CLI::App& app, Raw& raw, Arguments& arguments) {
     app.add_flag("--no-color", arguments.no_color, "no colour, as does NO_COLOR")->group(group);
 }
 
+void add_simulation_options(CLI::App& app, Raw& raw) {
+    const std::string group = "The simulation";
+    app.add_flag("--simulate{auto}", raw.scene,
+                 "verify by simulation; --simulate=SCENE with exit-flow, channel, exit or auto")
+        ->group(group);
+    app.add_option("--fidelity", raw.fidelity, "draft, standard or fine: 3, 6 or 12 nodes a cell radius")
+        ->type_name("WORD")
+        ->group(group);
+    app.add_option("--resolution", raw.resolution, "nodes a cell radius, in place of --fidelity")
+        ->type_name("N")
+        ->group(group);
+}
+
 std::optional<Format> parse_format(const std::string& text) {
     if (text == "table") return Format::table;
     if (text == "json") return Format::json;
@@ -115,32 +132,36 @@ void collect_question(const CLI::App& app, const Raw& raw, Arguments& arguments,
 }
 
 void collect_answer(const Raw& raw, Arguments& arguments, Problems& problems) {
-    if (!raw.batch.empty()) arguments.batch = raw.batch;
-    if (!raw.output.empty()) arguments.output = raw.output;
-    if (!raw.format.empty()) {
-        arguments.format = parse_format(raw.format);
+    arguments.batch = raw.batch;
+    arguments.output = raw.output;
+    for (const auto& [name, value] : {std::pair{"--batch", raw.batch}, {"--output", raw.output}}) {
+        if (value && value->empty())
+            problems.add(std::string(name) + ": got an empty name; it takes a file", name);
+    }
+    if (raw.format) {
+        arguments.format = parse_format(*raw.format);
         if (!arguments.format) {
-            problems.add("--format: got '" + raw.format + "'; it takes table, json, jsonl or csv",
+            problems.add("--format: got '" + *raw.format + "'; it takes table, json, jsonl or csv",
                          "--format");
         } else if (raw.json && arguments.format != Format::json) {
-            problems.add("--json: cannot be combined with --format " + raw.format + "; give one of the two",
+            problems.add("--json: cannot be combined with --format " + *raw.format + "; give one of the two",
                          "--json");
         }
     } else if (raw.json) {
         arguments.format = Format::json;
     }
     arguments.paths = raw.paths;
-    if (!raw.list.empty()) {
-        if (raw.list == "inks" || raw.list == "cells" || raw.list == "nozzles") {
+    if (raw.list) {
+        if (*raw.list == "inks" || *raw.list == "cells" || *raw.list == "nozzles") {
             arguments.list = raw.list;
         } else {
-            problems.add("--list: got '" + raw.list + "'; it takes inks, cells or nozzles", "--list");
+            problems.add("--list: got '" + *raw.list + "'; it takes inks, cells or nozzles", "--list");
         }
     }
-    if (!raw.jobs.empty()) {
-        arguments.jobs = parse_jobs(raw.jobs);
+    if (raw.jobs) {
+        arguments.jobs = parse_jobs(*raw.jobs);
         if (!arguments.jobs) {
-            problems.add("--jobs: got '" + raw.jobs + "'; it takes a number of threads from 1 to 9999",
+            problems.add("--jobs: got '" + *raw.jobs + "'; it takes a number of threads from 1 to 9999",
                          "--jobs");
         }
     }
@@ -149,6 +170,39 @@ void collect_answer(const Raw& raw, Arguments& arguments, Problems& problems) {
         problems.add(
             name + ": a list cannot be combined with --batch; give one value, or put the values in rows",
             name);
+    }
+}
+
+void collect_simulation(const Raw& raw, Arguments& arguments, Problems& problems) {
+    SimulationQuestion question;
+    if (raw.fidelity) {
+        if (*raw.fidelity == "draft") {
+            question.fidelity = Fidelity::draft;
+        } else if (*raw.fidelity == "fine") {
+            question.fidelity = Fidelity::fine;
+        } else if (*raw.fidelity != "standard") {
+            problems.add("--fidelity: got '" + *raw.fidelity + "'; it takes draft, standard or fine",
+                         "--fidelity");
+        }
+    }
+    if (raw.resolution) {
+        problems.collect([&] {
+            question.resolution = parse_quantity(*raw.resolution, Dimension::dimensionless, "--resolution");
+            if (*question.resolution < 3.0 || *question.resolution > 48.0) {
+                throw UsageError("--resolution: takes 3 to 48 nodes a cell radius", "--resolution");
+            }
+        });
+    }
+    if (raw.scene.empty()) {
+        if (raw.fidelity || raw.resolution) {
+            problems.add("--fidelity and --resolution belong to a simulation; add --simulate", "--fidelity");
+        }
+        return;
+    }
+    question.scene = raw.scene;
+    arguments.simulation = question;
+    if (arguments.batch || !arguments.sweep.swept().empty()) {
+        problems.add("--simulate: one question at a time; leave out --batch and lists", "--simulate");
     }
 }
 
@@ -166,6 +220,7 @@ std::optional<Arguments> parse_arguments(int argc, const char* const* argv) {
     Raw raw;
     add_prediction_options(app, raw);
     add_answer_options(app, raw, arguments);
+    add_simulation_options(app, raw);
     Problems problems;
     try {
         app.parse(argc, argv);
@@ -186,6 +241,7 @@ std::optional<Arguments> parse_arguments(int argc, const char* const* argv) {
     }
     collect_question(app, raw, arguments, problems);
     collect_answer(raw, arguments, problems);
+    collect_simulation(raw, arguments, problems);
     problems.raise();
     return arguments;
 }

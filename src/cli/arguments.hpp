@@ -7,6 +7,7 @@
 
 #include "io/run.hpp"
 #include "io/settings.hpp"
+#include "io/simulation_answer.hpp"
 
 /// What was typed, checked but not yet computed.
 namespace bioprint {
@@ -20,6 +21,7 @@ struct Arguments {
     std::optional<std::string> output;
     std::optional<std::string> list;
     std::optional<unsigned> jobs;
+    std::optional<SimulationQuestion> simulation;
     bool quiet = false;
     bool verbose = false;
     bool no_color = false;

@@ -1,10 +1,14 @@
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
+#include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <mutex>
 #include <string>
 #include <thread>
 
@@ -43,7 +47,8 @@ void say(std::string_view text) {
 
 RunOptions run_options(const Arguments& arguments) {
     const bool terminal = !arguments.output && isatty(STDOUT_FILENO) != 0;
-    const bool colorless = arguments.no_color || std::getenv("NO_COLOR") != nullptr;
+    const char* const no_color = std::getenv("NO_COLOR");
+    const bool colorless = arguments.no_color || (no_color != nullptr && *no_color != '\0');
     return {.format = arguments.format.value_or(Format::table),
             .paths = arguments.paths,
             .style = {.color = terminal && !colorless, .quiet = arguments.quiet},
@@ -60,6 +65,55 @@ int status_of(const RunResult& result, bool to_file) {
     return result.refused > 0 ? status_some_rows_failed : 0;
 }
 
+/// One line on a terminal that tells how far the simulation is, and how long it will still take.
+class ProgressLine {
+  public:
+    explicit ProgressLine(bool shown) : shown_(shown), begin_(std::chrono::steady_clock::now()) {}
+    ~ProgressLine() {
+        if (shown_) std::cerr << "\r\033[K" << std::flush;
+    }
+    ProgressLine(const ProgressLine&) = delete;
+    ProgressLine& operator=(const ProgressLine&) = delete;
+
+    void show(const SimulationProgress& progress) {
+        if (!shown_) return;
+        const auto now = std::chrono::steady_clock::now();
+        if (progress.stage != stage_) {
+            stage_ = progress.stage;
+            begin_ = now;
+        } else if (now - last_ < std::chrono::milliseconds(100)) {
+            return;
+        }
+        last_ = now;
+        const std::chrono::duration<double> elapsed = now - begin_;
+        std::cerr << "\r\033[K" << program_name << ": " << stage_ << " " << std::lround(100.0 * progress.done)
+                  << " %";
+        if (progress.done > 0.05) {
+            std::cerr << ", " << std::lround(elapsed.count() * (1.0 / progress.done - 1.0)) << " s left";
+        }
+        std::cerr << std::flush;
+    }
+
+  private:
+    bool shown_;
+    std::string_view stage_;
+    std::chrono::steady_clock::time_point begin_;
+    std::chrono::steady_clock::time_point last_;
+};
+
+void run_simulation(const Arguments& arguments, const RunOptions& options, const Sink& sink) {
+    ProgressLine line(!arguments.quiet && isatty(STDERR_FILENO) != 0);
+    std::mutex lock;  // two resolutions may run at once
+    const SimulationOptions simulation{.threads = static_cast<int>(std::min(options.jobs, 2U)),
+                                       .progress =
+                                           [&](const SimulationProgress& progress) {
+                                               const std::lock_guard guard(lock);
+                                               line.show(progress);
+                                           },
+                                       .cancel = &interrupted};
+    answer_with_simulation(arguments.sweep.fixed(), *arguments.simulation, options, simulation, sink);
+}
+
 int run(const Arguments& arguments) {
     WholeFile output(arguments.output.value_or("-"));
     const Sink sink = [&](std::string_view text) { output.write(text); };
@@ -72,6 +126,17 @@ int run(const Arguments& arguments) {
         return 0;
     }
     const RunOptions options = run_options(arguments);
+    if (arguments.simulation) {
+        try {
+            run_simulation(arguments, options, sink);
+        } catch (const SimulationIncomplete& e) {
+            output.commit();
+            say(e.what());
+            return interrupted ? status_interrupted : exit_status_of_current();
+        }
+        output.commit();
+        return 0;
+    }
     RunResult result;
     if (arguments.batch) {
         const BatchInput input{.file = *arguments.batch, .defaults = arguments.sweep.fixed()};

@@ -29,8 +29,8 @@ void StressDeficit::reserve(double log_wall) {
     const std::size_t count = node_count(log_wall);
     const GaussRule& rule = gauss_rule();
     for (std::size_t i = weight_.size(); i < count; ++i) {
-        const double panel = static_cast<double>(i / GaussRule::size);
-        const double v = panel_width_ * (panel + rule.node[i % GaussRule::size]);
+        const std::size_t panel = i / GaussRule::size;
+        const double v = panel_width_ * (static_cast<double>(panel) + rule.node[i % GaussRule::size]);
         weight_.push_back(panel_width_ * rule.weight[i % GaussRule::size] * std::exp(-v));
         newtonian_.push_back(-std::expm1(-v));
         thinning_.push_back(thinning_at(v, alpha_));

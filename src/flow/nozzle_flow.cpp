@@ -4,10 +4,11 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <sstream>
+#include <string>
 
 #include "bioprint/errors.hpp"
 #include "flow/deficit_integrals.hpp"
+#include "numerics/brief.hpp"
 #include "numerics/roots.hpp"
 
 namespace bioprint {
@@ -36,19 +37,15 @@ StressDeficit& deficit_of(const CrossInk& ink) {
 }
 
 [[noreturn]] void refuse(const CrossInk& ink, double velocity_average, double top) {
-    std::ostringstream message;
-    message << "no steady flow: at alpha = " << ink.alpha << " the stress of this ink reaches at most "
-            << stress(ink, std::exp(top) / ink.time_constant) << " Pa, too little to drive it at "
-            << velocity_average
-            << " m/s through this nozzle; lower the flow rate, widen the nozzle, or use alpha < 1";
-    throw NoSteadyFlow(message.str());
+    throw NoSteadyFlow("no steady flow: at alpha = " + brief(ink.alpha) +
+                       " the stress of this ink reaches at most " +
+                       brief(stress(ink, std::exp(top) / ink.time_constant)) +
+                       " Pa, too little to drive it at " + brief(velocity_average) +
+                       " m/s through this nozzle; lower the flow rate, widen the nozzle, or use alpha < 1");
 }
 
-/// d ln τ/d ln γ̇ at x = e^{log_x}: the exponent of the power law that touches the ink's curve there.
 double local_index(const CrossInk& ink, double log_x) {
-    const double e = ink.eta_inf / ink.eta0;
-    const double y = std::exp(ink.alpha * log_x);
-    return 1.0 - ink.alpha * (1.0 - e) / (e * (1.0 + y) + 1.0 - e) / (1.0 + 1.0 / y);
+    return flow_index(ink, std::exp(log_x) / ink.time_constant);
 }
 
 /// A power-law ink flows with x_w = (3 + 1/n) K u_avg/R; two steps with the local n come within a few per

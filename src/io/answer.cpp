@@ -12,11 +12,11 @@ std::string_view program_version() {
 }
 
 std::string answer_json(const Prediction& prediction, int indent) {
-    return answer_object(prediction).dump(indent);
+    return json_text(answer_object(prediction), indent);
 }
 
 std::string answer_json_line(std::string_view question) {
-    return answer_row([&] { return settings_of(parse_json(question, "the question")); }).object.dump();
+    return json_text(answer_row([&] { return settings_of(parse_json(question, "the question")); }).object);
 }
 
 }  // namespace bioprint

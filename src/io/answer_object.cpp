@@ -116,6 +116,8 @@ std::string_view model_name(Model model) {
             return "roscoe-shear";
         case Model::roscoe_elongation:
             return "roscoe-elongation";
+        case Model::ellipsoid:
+            return "ellipsoid";
     }
     return "";
 }
@@ -196,6 +198,10 @@ Json answer_object(const Prediction& prediction) {
         .add("cells", std::move(cells));
     if (prediction.profile) answer.add("profile", profile_object(*prediction.profile));
     return answer.add("warnings", std::move(warnings)).take();
+}
+
+std::string json_text(const Json& value, int indent) {
+    return value.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
 Json refusal_object(const Refusal& refusal) {

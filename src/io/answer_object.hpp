@@ -15,6 +15,9 @@ using Json = nlohmann::ordered_json;
 
 Json answer_object(const Prediction& prediction);
 
+/// JSON text; bytes of the user's that are no UTF-8 become replacement characters.
+std::string json_text(const Json& value, int indent = -1);
+
 /// What stands in place of an answer where a row has none: why, and which option or column is at fault.
 struct Refusal {
     std::string code;  ///< "usage", "no_steady_flow", "data", "not_converged" or "internal"

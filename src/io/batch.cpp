@@ -45,7 +45,7 @@ bool starts_as_json(std::string_view head) {
 RunResult run_json_lines(ByteSource& source, const Settings& defaults, const RunOptions& options,
                          const Sink& sink) {
     JsonLinesReader reader(source);
-    const RowWriter writer(options, 2 * cell_entries(defaults));
+    const RowWriter writer(options, 3 * cell_entries(defaults));
     RunResult result;
     sink(writer.head());
     std::vector<JsonLine> lines;
@@ -53,7 +53,11 @@ RunResult run_json_lines(ByteSource& source, const Settings& defaults, const Run
     bool more = true;
     while (more && !result.interrupted) {
         lines.clear();
-        while (lines.size() < chunk_rows && (more = reader.next())) lines.push_back(std::move(reader.line()));
+        while (lines.size() < chunk_rows && (lines.empty() || reader.has_buffered_line())) {
+            more = reader.next();
+            if (!more) break;
+            lines.push_back(std::move(reader.line()));
+        }
         texts.assign(lines.size(), {});
         for_each_index(lines.size(), options.jobs, [&](std::size_t i) {
             texts[i] = writer.answer([&] {
@@ -62,7 +66,7 @@ RunResult run_json_lines(ByteSource& source, const Settings& defaults, const Run
             });
         });
         for (RowText& text : texts) {
-            sink(writer.placed(std::move(text.text), result.rows));
+            sink(writer.placed(text.text, result.rows));
             ++result.rows;
             result.refused += text.refused ? 1 : 0;
         }

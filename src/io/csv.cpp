@@ -247,4 +247,8 @@ void CsvWriter::end_row(std::string_view line_end) {
     first_ = true;
 }
 
+bool CsvReader::has_buffered_line() const {
+    return input_.at_end() || input_.rest().substr(used_).find_first_of("\r\n") != std::string_view::npos;
+}
+
 }  // namespace bioprint

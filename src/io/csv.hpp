@@ -62,6 +62,8 @@ class CsvReader {
     /// @throws UsageError  a record over 1 MiB
     bool next();
     [[nodiscard]] const CsvRecord& record() const { return record_; }
+    /// The next line is here already, so that `next` need not wait for the source.
+    [[nodiscard]] bool has_buffered_line() const;
 
   private:
     struct Scan;

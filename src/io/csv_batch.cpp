@@ -7,6 +7,7 @@
 #include "io/csv.hpp"
 #include "io/parallel.hpp"
 #include "io/row_answer.hpp"
+#include "io/text.hpp"
 
 namespace bioprint {
 namespace {
@@ -24,12 +25,6 @@ struct HeaderName {
     std::string_view unit;
 };
 
-std::string_view trimmed(std::string_view text) {
-    const std::size_t begin = text.find_first_not_of(" \t");
-    if (begin == std::string_view::npos) return {};
-    return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
-}
-
 HeaderName split_header(std::string_view header) {
     header = trimmed(header);
     const std::size_t open = header.find_first_of("[(");
@@ -44,9 +39,12 @@ HeaderName split_header(std::string_view header) {
 class Layout {
   public:
     explicit Layout(const std::vector<std::string>& header) {
+        // A column named like one of ours is ours only beside an answer; alone, input.ink.alpha is a question.
+        const bool answered =
+            std::find(header.begin(), header.end(), "nozzle.stress_max [Pa]") != header.end();
         std::vector<std::size_t> ours;
         for (std::size_t i = 0; i < header.size(); ++i) {
-            if (is_answer_header(header[i])) {
+            if (answered && is_answer_header(header[i])) {
                 ours.push_back(i);
             } else {
                 kept_.push_back(i);
@@ -75,12 +73,13 @@ class Layout {
         const std::optional<Key> key = find_key(parts.name);
         if (!key) return;
         if (asks(*key)) {
-            throw UsageError("column '" + header + "': a second column asks the same; remove or rename one",
-                             header);
+            throw UsageError(
+                "column " + in_quotes(header) + ": a second column asks the same; remove or rename one",
+                in_quotes(header));
         }
         questions_.push_back({.index = index,
                               .key = *key,
-                              .origin = "column '" + header + "'",
+                              .origin = "column " + in_quotes(header),
                               .unit = info_of(*key).dimension ? std::string(parts.unit) : std::string{}});
     }
 
@@ -131,8 +130,8 @@ class CsvBatch {
             for (Row& row : rows_) {
                 if (!row.blank) {
                     result.refused += row.refused ? 1 : 0;
-                    if (row.open_quote) notice(row.fault);
-                    sink(placed(std::move(row.answer), result.rows));
+                    if (row.open_quote) notice("line " + std::to_string(row.line) + ": " + row.fault);
+                    sink(placed(row.answer, result.rows));
                     ++result.rows;
                 } else if (in_kind()) {
                     sink(row.kept + row.line_end);
@@ -150,7 +149,7 @@ class CsvBatch {
     [[nodiscard]] bool in_kind() const { return options_.paths.empty() && options_.format == Format::csv; }
     [[nodiscard]] bool as_array() const { return options_.paths.empty() && options_.format == Format::json; }
 
-    [[nodiscard]] std::string placed(std::string text, std::size_t index) const {
+    [[nodiscard]] std::string placed(const std::string& text, std::size_t index) const {
         return as_array() && index > 0 ? ",\n" + text : text;
     }
 
@@ -172,7 +171,7 @@ class CsvBatch {
         for (const Row& row : rows_) {
             try {
                 const Settings settings = settings_of_row(row);
-                if (settings.has(Key::offset)) return 2 * settings.at(Key::offset).positions.size();
+                if (settings.has(Key::offset)) return 3 * settings.at(Key::offset).positions.size();
             } catch (const UsageError&) {
                 continue;
             }
@@ -194,6 +193,8 @@ class CsvBatch {
     /// Reads the next rows; false at the end of the file.
     bool read_chunk() {
         while (rows_.size() < chunk_rows) {
+            // Who sends rows one by one and waits for each answer must not wait for a full chunk.
+            if (!rows_.empty() && !reader_.has_buffered_line()) break;
             if (!reader_.next()) return false;
             rows_.push_back(take(reader_.record()));
         }
@@ -256,7 +257,7 @@ class CsvBatch {
     void answer(Row& row) const {
         if (row.blank) return;
         const RowAnswer result = answer_row([&] {
-            if (!row.fault.empty()) throw UsageError(row.fault);
+            if (!row.fault.empty()) throw UsageError("line " + std::to_string(row.line) + ": " + row.fault);
             Settings settings = settings_of_row(row);
             if (layout_.asks(Key::offset) && cell_entries(settings) > columns_->cell_entries() && in_kind()) {
                 throw UsageError("line " + std::to_string(row.line) +
@@ -270,7 +271,7 @@ class CsvBatch {
         } else if (options_.format == Format::csv) {
             row.answer = csv_line(row, result.object);
         } else {
-            row.answer = result.object.dump();
+            row.answer = json_text(result.object);
             if (options_.format == Format::jsonl) row.answer += '\n';
         }
     }

@@ -113,4 +113,8 @@ bool JsonLinesReader::next() {
     return true;
 }
 
+bool JsonLinesReader::has_buffered_line() const {
+    return input_.at_end() || input_.rest().substr(used_).find('\n') != std::string_view::npos;
+}
+
 }  // namespace bioprint

@@ -34,6 +34,8 @@ class JsonLinesReader {
     explicit JsonLinesReader(ByteSource& source) : input_(source) {}
     /// Reads the next line that is not empty; false at the end. Throws DataError only.
     bool next();
+    /// The next line is here already, so that `next` need not wait for the source.
+    [[nodiscard]] bool has_buffered_line() const;
     [[nodiscard]] const JsonLine& line() const { return line_; }
     [[nodiscard]] JsonLine& line() { return line_; }
 

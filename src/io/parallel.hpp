@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -36,7 +37,11 @@ void for_each_index(std::size_t count, unsigned jobs, const Work& work) {
         }
     };
     std::vector<std::thread> pool;
-    for (unsigned t = 1; t < threads; ++t) pool.emplace_back(run);
+    try {
+        for (unsigned t = 1; t < threads; ++t) pool.emplace_back(run);
+    } catch (const std::system_error&) {
+        // The system grants no more threads: those that run do the work.
+    }
     run();
     for (std::thread& thread : pool) thread.join();
     if (failure) std::rethrow_exception(failure);

@@ -31,15 +31,15 @@ std::string values_line(const RowAnswer& answer, const std::vector<std::string>&
 std::string value_text(const Json& value) {
     if (value.is_string()) return value.get<std::string>();
     if (value.is_number_float()) return format_shortest(value.get<double>());
-    return value.dump();
+    return json_text(value);
 }
 
 std::size_t cell_entries(const Settings& settings) {
-    if (!settings.has(Key::offset)) return 5;  // the paper's four positions, the centred one twice
+    if (!settings.has(Key::offset)) return 6;  // the paper's four positions, the centred one three times
     const std::vector<CellPosition>& positions = settings.at(Key::offset).positions;
     const auto centred = std::count_if(positions.begin(), positions.end(),
                                        [](const CellPosition& position) { return position.value == 0.0; });
-    return positions.size() + static_cast<std::size_t>(centred);
+    return positions.size() + 2 * static_cast<std::size_t>(centred);
 }
 
 RowWriter::RowWriter(const RunOptions& options, std::size_t cell_entries)
@@ -70,13 +70,13 @@ RowText RowWriter::answer(const std::function<Settings()>& question) const {
     } else if (options_.format == Format::csv) {
         row.text = csv_row(answer.object);
     } else {
-        row.text = answer.object.dump();
+        row.text = json_text(answer.object);
         if (options_.format == Format::jsonl) row.text += '\n';
     }
     return row;
 }
 
-std::string RowWriter::placed(std::string text, std::size_t index) const {
+std::string RowWriter::placed(const std::string& text, std::size_t index) const {
     const bool in_array = options_.paths.empty() && options_.format == Format::json;
     return in_array && index > 0 ? ",\n" + text : text;
 }

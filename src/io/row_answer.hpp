@@ -48,7 +48,7 @@ class RowWriter {
     [[nodiscard]] std::string csv_row(const Json& answer) const;
     [[nodiscard]] RowText answer(const std::function<Settings()>& question) const;
     /// A row's text with what separates it from the row before.
-    [[nodiscard]] std::string placed(std::string text, std::size_t index) const;
+    [[nodiscard]] std::string placed(const std::string& text, std::size_t index) const;
     [[nodiscard]] std::string tail() const;
 
   private:

@@ -39,9 +39,9 @@ void answer_one(const Settings& row, const RunOptions& options, const Sink& sink
         case Format::table:
             return sink(answer_table(prediction, options.style));
         case Format::json:
-            return sink(answer_object(prediction).dump(2) + "\n");
+            return sink(json_text(answer_object(prediction), 2) + "\n");
         case Format::jsonl:
-            return sink(answer_object(prediction).dump() + "\n");
+            return sink(json_text(answer_object(prediction)) + "\n");
         case Format::csv:
             break;
     }
@@ -110,7 +110,7 @@ RunResult run_sweep(const Sweep& sweep, const RunOptions& options, const Sink& s
             texts[i] = writer.answer([&] { return sweep.row(begin + i); });
         });
         for (std::size_t i = 0; i < count; ++i) {
-            sink(writer.placed(std::move(texts[i].text), begin + i));
+            sink(writer.placed(texts[i].text, begin + i));
             result.refused += texts[i].refused ? 1 : 0;
         }
         result.rows += count;

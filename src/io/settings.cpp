@@ -123,12 +123,15 @@ const std::array<KeyInfo, key_count>& key_table() {
         {Key::shear_modulus, "shear-modulus", "", "cell.shear_modulus", Dimension::pressure, true,
          "shear modulus of the cell"},
         {Key::poisson_ratio, "poisson-ratio", "", "cell.poisson_ratio", dimensionless, true,
-         "Poisson ratio (simulation only)"},
+         "Poisson ratio of the cell (recorded; every model takes the cell as incompressible)"},
         {Key::viscosity_ratio, "viscosity-ratio", "", "cell.viscosity_ratio", dimensionless, true,
          "viscosity inside the cell over that of the ink"},
         {Key::offset, "offset", "", "offsets", std::nullopt, false,
          "radial positions of cells: lengths or cell radii, 0,1.5Rc,20um"},
         {Key::profile, "profile", "", "", dimensionless, false, "add a radial profile of N points"},
+        {Key::model, "model", "", "", std::nullopt, false,
+         "ellipsoid: follow the centred cell through the exit in time (default); steady: the paper's theory "
+         "alone"},
     }};
     return table;
 }
@@ -147,7 +150,6 @@ std::optional<Key> find_key(std::string_view name) {
     }
     // Lower-cased, the short names K and a would be any column's: only K is common enough to take.
     if (wanted == "k") return Key::time_constant;
-    if (wanted == "offsets") return Key::offset;
     return std::nullopt;
 }
 
@@ -190,7 +192,10 @@ void Settings::set_number(Key key, double value, std::string_view origin) {
     } else if (info_of(key).dimension) {
         claim(key, origin).number = value;
     } else if (key == Key::needle) {
-        claim(key, origin).text = std::to_string(std::lround(value));
+        if (value != std::floor(value) || value < 1.0 || value > 99.0) {
+            throw UsageError(std::string(origin) + ": takes a gauge such as 25", std::string(origin));
+        }
+        claim(key, origin).text = std::to_string(static_cast<int>(value));
     } else {
         throw UsageError(std::string(origin) + ": takes a name, got a number", std::string(origin));
     }
@@ -261,6 +266,14 @@ Case Settings::make_case() const {
     problems.collect([&] { question.ink = ink_choice(*this); });
     problems.collect([&] { question.cell = cell_choice(*this); });
     if (has(Key::offset)) question.positions = at(Key::offset).positions;
+    if (has(Key::model)) {
+        const std::string& model = at(Key::model).text;
+        question.transient = model == "ellipsoid";
+        if (model != "ellipsoid" && model != "steady") {
+            problems.add(origins_[index(Key::model)] + ": got '" + model + "'; it takes ellipsoid or steady",
+                         origins_[index(Key::model)]);
+        }
+    }
     if (has(Key::profile)) {
         const double points = at(Key::profile).number;
         if (points != std::floor(points) || points < 2.0 || points > 1e6) {

@@ -36,8 +36,9 @@ enum class Key {
     viscosity_ratio,
     offset,
     profile,
+    model,
 };
-inline constexpr std::size_t key_count = static_cast<std::size_t>(Key::profile) + 1;
+inline constexpr std::size_t key_count = static_cast<std::size_t>(Key::model) + 1;
 
 /// How a key is called: on the command line, and in the answer's `input`.
 struct KeyInfo {

@@ -147,7 +147,9 @@ std::string_view model_label(Model model) {
         case Model::roscoe_shear:
             return "shear";
         case Model::roscoe_elongation:
-            return "elongation";
+            return "(steady)";
+        case Model::ellipsoid:
+            return "ellipsoid";
     }
     return "";
 }
@@ -162,7 +164,14 @@ std::string cells_section(const Prediction& prediction, TableStyle style) {
     std::vector<std::vector<std::string>> rows = {
         {"place", "offset", "fluid", "von Mises", "viscous", "stretch", "", "", "angle", "model"},
         {"", "µm", unit_name, unit_name, unit_name, "α1", "α2", "α3", "°", ""}};
+    // At the exit the cell carried in time leads; the steady theory stands in brackets below it.
+    std::vector<const CellAnswer*> order;
     for (const CellAnswer& cell : prediction.cells) {
+        order.push_back(&cell);
+        if (cell.model == Model::ellipsoid) std::iter_swap(order.end() - 1, order.end() - 2);
+    }
+    for (const CellAnswer* const entry : order) {
+        const CellAnswer& cell = *entry;
         const auto stress = [&](double value) { return format_in(value, unit, 4); };
         const auto stretch = [&](std::size_t i) { return cell.stretch ? plain((*cell.stretch)[i]) : "–"; };
         rows.push_back({cell.place == Place::nozzle ? "nozzle" : "exit", plain(cell.offset * 1e6),
@@ -191,17 +200,35 @@ std::string notes_section(const std::vector<Warning>& warnings, TableStyle style
     return out;
 }
 
-double largest_stress(const Prediction& prediction, Place place, bool& complete) {
+/// The largest stress in the nozzle.
+double nozzle_stress(const Prediction& prediction) {
     double largest = 0.0;
     for (const CellAnswer& cell : prediction.cells) {
-        if (cell.place != place) continue;
-        if (cell.stress) largest = std::max(largest, cell.stress->von_mises);
-        complete = complete && cell.stress.has_value();
+        if (cell.place == Place::nozzle && cell.stress) largest = std::max(largest, cell.stress->von_mises);
     }
     return largest;
 }
 
+/// The stress at the exit by the better model: carried in time where that was asked for, else steady.
+std::optional<double> exit_stress(const Prediction& prediction) {
+    std::optional<double> stress;
+    for (const CellAnswer& cell : prediction.cells) {
+        if (cell.place != Place::exit) continue;
+        if (cell.stress) stress = cell.stress->von_mises;
+        if (!cell.stress && cell.model == Model::ellipsoid) stress.reset();
+    }
+    return stress;
+}
+
 }  // namespace
+
+std::string table_heading(std::string_view text, TableStyle style) {
+    return heading(text, style);
+}
+
+std::string table_grid(const std::vector<std::vector<std::string>>& rows, std::size_t left) {
+    return grid(rows, left);
+}
 
 std::string answer_table(const Prediction& prediction, TableStyle style) {
     std::string out = input_section(prediction, style) + nozzle_section(prediction.nozzle, style) +
@@ -221,15 +248,14 @@ std::vector<std::string> SweepTable::label_cells(const Settings& row) const {
 
 void SweepTable::add(const Settings& row, const Prediction& prediction) {
     std::vector<std::string> cells = label_cells(row);
-    bool complete = true;
-    const double in_nozzle = largest_stress(prediction, Place::nozzle, complete);
-    const double at_exit = largest_stress(prediction, Place::exit, complete);
+    const double in_nozzle = nozzle_stress(prediction);
+    const std::optional<double> at_exit = exit_stress(prediction);
     cells.push_back(lab(prediction.nozzle.flow_rate, Dimension::volume_flow));
     cells.push_back(lab(prediction.nozzle.pressure_gradient, Dimension::pressure_gradient));
     cells.push_back(lab(prediction.nozzle.stress_max, Dimension::pressure));
     cells.push_back(lab(prediction.exit.elongational_stress, Dimension::pressure));
     cells.push_back(lab(in_nozzle, Dimension::pressure));
-    cells.push_back(complete && at_exit > 0.0 ? lab(at_exit, Dimension::pressure) : "–");
+    cells.push_back(at_exit ? lab(*at_exit, Dimension::pressure) : "–");
     rows_.push_back(std::move(cells));
     for (const Warning& warning : prediction.warnings) {
         if (std::find(notes_.begin(), notes_.end(), warning.code) == notes_.end())

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bioprint/predict/prediction.hpp"
@@ -14,6 +15,10 @@ struct TableStyle {
     bool color = false;
     bool quiet = false;  ///< without the notes
 };
+
+/// A section's heading, and right-aligned columns whose first `left` are left-aligned.
+std::string table_heading(std::string_view text, TableStyle style);
+std::string table_grid(const std::vector<std::vector<std::string>>& rows, std::size_t left);
 
 std::string answer_table(const Prediction& prediction, TableStyle style);
 

@@ -171,7 +171,10 @@ constexpr Kernels<Real> make_kernels() {
 
 extern const Kernels<float> BIOPRINT_KERNEL_TABLE(float);
 extern const Kernels<double> BIOPRINT_KERNEL_TABLE(double);
+// Each of the three sources that include this body defines its own table once.
+// NOLINTBEGIN(misc-definitions-in-headers)
 constexpr Kernels<float> BIOPRINT_KERNEL_TABLE(float) = make_kernels<float>();
 constexpr Kernels<double> BIOPRINT_KERNEL_TABLE(double) = make_kernels<double>();
+// NOLINTEND(misc-definitions-in-headers)
 
 }  // namespace bioprint::d3q19

@@ -43,9 +43,11 @@ double find_root(const std::function<double(double)>& f, Bracket bracket, RootTo
         check_gsl(gsl_root_fsolver_iterate(solver.get()), "root search");
         const double low = gsl_root_fsolver_x_lower(solver.get());
         const double high = gsl_root_fsolver_x_upper(solver.get());
-        if (gsl_root_test_interval(low, high, tolerance.absolute, tolerance.relative) == GSL_SUCCESS) break;
+        if (gsl_root_test_interval(low, high, tolerance.absolute, tolerance.relative) == GSL_SUCCESS) {
+            return gsl_root_fsolver_root(solver.get());
+        }
     }
-    return gsl_root_fsolver_root(solver.get());
+    throw NotConverged("root search: no root found in the interval");
 }
 
 }  // namespace bioprint

@@ -1,8 +1,9 @@
 #include "bioprint/predict/case.hpp"
 
 #include <cmath>
-#include <sstream>
 #include <string_view>
+
+#include "numerics/brief.hpp"
 
 namespace bioprint {
 namespace {
@@ -12,9 +13,8 @@ class Findings {
   public:
     void require(bool holds, std::string_view name, double value, std::string_view remedy) {
         if (holds && std::isfinite(value)) return;
-        std::ostringstream sentence;
-        sentence << name << ": got " << value << "; it must be " << remedy;
-        sentences_.push_back(sentence.str());
+        sentences_.push_back(std::string(name) + ": got " + brief(value, 6) + "; it must be " +
+                             std::string(remedy));
     }
     void add(std::string sentence) { sentences_.push_back(std::move(sentence)); }
     std::vector<std::string> take() { return std::move(sentences_); }
@@ -41,16 +41,14 @@ std::string_view drive_name(Drive drive) {
 void check_positions(const Case& question, Findings& findings) {
     for (const CellPosition& position : question.positions) {
         findings.require(position.value >= 0.0, "offset", position.value, "zero or positive");
-        if (!findings.empty()) continue;
+        if (!(position.value >= 0.0) || !std::isfinite(position.value)) continue;
         const double r = position.in_cell_radii ? position.value * question.cell.radius : position.value;
         // The touching position is allowed, however it was rounded.
         if (r + question.cell.radius > question.radius * (1.0 + 1e-12)) {
-            std::ostringstream sentence;
-            sentence << "offset: a cell of radius " << question.cell.radius << " m at " << r
-                     << " m from the axis does not fit a nozzle of radius " << question.radius
-                     << " m; its centre may be at most " << question.radius - question.cell.radius
-                     << " m off";
-            findings.add(sentence.str());
+            findings.add("offset: a cell of radius " + brief(question.cell.radius) + " m at " + brief(r) +
+                         " m from the axis does not fit a nozzle of radius " + brief(question.radius) +
+                         " m; its centre may be at most " + brief(question.radius - question.cell.radius) +
+                         " m off");
         }
     }
 }
@@ -87,10 +85,9 @@ std::vector<std::string> problems_of(const Case& question) {
     }
     if (findings.empty()) {
         if (cell.radius > question.radius) {
-            std::ostringstream sentence;
-            sentence << "cell-radius: a cell of radius " << cell.radius
-                     << " m does not fit a nozzle of radius " << question.radius << " m; use a wider nozzle";
-            findings.add(sentence.str());
+            findings.add("cell-radius: a cell of radius " + brief(cell.radius) +
+                         " m does not fit a nozzle of radius " + brief(question.radius) +
+                         " m; use a wider nozzle");
         } else {
             check_positions(question, findings);
         }

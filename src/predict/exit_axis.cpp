@@ -108,8 +108,8 @@ ExitAxis::ExitAxis(const NozzleFlow& flow)
     }
 }
 
-AxisFlow ExitAxis::operator()(double x) const {
-    const double position = (std::clamp(x / radius_, first, -first) - first) / step;
+ExitAxis::Shape ExitAxis::shape(double x_over_radius) const {
+    const double position = (std::clamp(x_over_radius, first, -first) - first) / step;
     const auto i = std::min(static_cast<std::size_t>(position), size - 2);
     const double t = position - static_cast<double>(i);
     const Knot& a = knots_[i];
@@ -121,13 +121,16 @@ AxisFlow ExitAxis::operator()(double x) const {
     const double c3 = 10.0 * d0 - 4.0 * d1 + 0.5 * d2;
     const double c4 = -15.0 * d0 + 7.0 * d1 - d2;
     const double c5 = 6.0 * d0 - 3.0 * d1 + 0.5 * d2;
-    const double f = a.value + t * (a.slope + t * (0.5 * a.bend + t * (c3 + t * (c4 + t * c5))));
-    const double df = a.slope + t * (a.bend + t * (3.0 * c3 + t * (4.0 * c4 + t * 5.0 * c5)));
-    const double ddf = a.bend + t * (6.0 * c3 + t * (12.0 * c4 + t * 20.0 * c5));
-    const double length = step * radius_;
-    return {.velocity = velocity_average_ + velocity_excess_ * f,
-            .elongation = velocity_excess_ * df / length,
-            .axial = 0.5 * velocity_excess_ * ddf / (length * length),
+    return {.value = a.value + t * (a.slope + t * (0.5 * a.bend + t * (c3 + t * (c4 + t * c5)))),
+            .slope = (a.slope + t * (a.bend + t * (3.0 * c3 + t * (4.0 * c4 + t * 5.0 * c5)))) / step,
+            .bend = (a.bend + t * (6.0 * c3 + t * (12.0 * c4 + t * 20.0 * c5))) / (step * step)};
+}
+
+AxisFlow ExitAxis::operator()(double x) const {
+    const Shape f = shape(x / radius_);
+    return {.velocity = velocity_average_ + velocity_excess_ * f.value,
+            .elongation = velocity_excess_ * f.slope / radius_,
+            .axial = 0.5 * velocity_excess_ * f.bend / (radius_ * radius_),
             .radial = -0.25 * pressure_gradient_ * shear_part(x / radius_)};
 }
 

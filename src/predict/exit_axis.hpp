@@ -28,6 +28,14 @@ class ExitAxis {
     /// At a distance x [m] from the lip, negative inside the nozzle.
     AxisFlow operator()(double x) const;
 
+    /// f and its derivatives over X.
+    struct Shape {
+        double value;
+        double slope;
+        double bend;
+    };
+    [[nodiscard]] Shape shape(double x_over_radius) const;
+
     [[nodiscard]] double radius() const { return radius_; }
     /// The ink is outside the tabulated α or rates.
     [[nodiscard]] bool extrapolated() const { return extrapolated_; }

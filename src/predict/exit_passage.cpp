@@ -17,7 +17,11 @@ ExitPassage exit_passage(const NozzleFlow& flow, const ExitPassageRequest& reque
     const ExitAxis axis(flow);
     const AxisWay way{
         .from = -before * flow.radius(), .to = after * flow.radius(), .observe_every = request.observe_every};
-    return {.passage = carry_along_axis(axis, flow.ink(), request.cell, way, request.effects, observe),
+    AxisEffects effects = request.effects;
+    // Deeper in the power law than the exit flows are known, the response of the ink to the cell is not
+    // either.
+    if (axis.extrapolated()) effects.disturbed_viscosity = false;
+    return {.passage = carry_along_axis(axis, flow.ink(), request.cell, way, effects, observe),
             .extrapolated = axis.extrapolated()};
 }
 

@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "bioprint/cell/bullet.hpp"
 #include "bioprint/cell/roscoe.hpp"
 #include "bioprint/errors.hpp"
 #include "bioprint/flow/nozzle_exit.hpp"
 #include "bioprint/flow/nozzle_flow.hpp"
+#include "bioprint/predict/exit_passage.hpp"
 #include "bioprint/predict/prediction.hpp"
 #include "predict/warnings.hpp"
 
@@ -131,6 +133,38 @@ CellAnswer cell_in_exit(const NozzleFlow& flow, const ExitAnswer& exit, const Ce
     return answer;
 }
 
+/// The centred cell carried through the exit, at the moment of its largest stress.
+void add_exit_passage(const NozzleFlow& flow, Prediction& prediction) {
+    const CellChoice& cell = prediction.question.cell;
+    CellAnswer answer = blank_cell(Place::exit, Model::ellipsoid, 0.0, 0.0, cell);
+    answer.relaxation_time =
+        relaxation_time(viscosity(flow.ink(), 0.0), cell.shear_modulus, cell.viscosity_ratio);
+    try {
+        const ExitPassage exit = exit_passage(flow, {.cell = {.radius = cell.radius,
+                                                              .shear_modulus = cell.shear_modulus,
+                                                              .viscosity_ratio = cell.viscosity_ratio}});
+        const AxisCellState& peak = exit.passage.peak;
+        const double axial = peak.axial_stretch * peak.axial_stretch;
+        const double radial = 1.0 / peak.axial_stretch;
+        const double mean = cell.shear_modulus / 3.0 * 2.0 * (axial - radial);
+        answer.fluid_stress = peak.fluid_stress;
+        answer.stress_ratio = peak.fluid_stress / cell.shear_modulus;
+        answer.stretch = {peak.axial_stretch, peak.radial_stretch, peak.radial_stretch};
+        answer.stress = CellStress{
+            .von_mises = peak.von_mises, .elastic = {mean, -0.5 * mean, -0.5 * mean}, .viscous = 0.0};
+        if (exit.extrapolated) {
+            prediction.warnings.push_back(
+                {"exit_extrapolated",
+                 "the exit flow of this ink and speed lies outside the tabulated ones: the ellipsoid "
+                 "there uses the nearest profile"});
+        }
+    } catch (const Error& e) {
+        prediction.warnings.push_back(
+            {"no_transient", std::string("the cell could not be followed through the exit: ") + e.what()});
+    }
+    prediction.cells.push_back(answer);
+}
+
 RadialProfile profile_of(const NozzleFlow& flow, int points) {
     RadialProfile profile;
     for (int i = 0; i < points; ++i) {
@@ -145,16 +179,27 @@ RadialProfile profile_of(const NozzleFlow& flow, int points) {
     return profile;
 }
 
+[[noreturn]] void refuse_range() {
+    throw NoSteadyFlow(
+        "no steady flow: the inputs are so far apart that the answer is beyond any number; check the "
+        "units of radius, load, ink and cell");
+}
+
 /// The inputs are finite, but their product need not be: 1e300 Pa over 1e-300 m is no pressure gradient.
 void require_finite(const NozzleAnswer& nozzle, const ExitAnswer& exit) {
     for (const double value : {nozzle.flow_rate, nozzle.pressure_gradient, nozzle.velocity_max,
                                nozzle.shear_rate_max, nozzle.stress_max, nozzle.pressure_drop.value_or(0.0),
                                nozzle.residence_time.value_or(0.0), exit.elongational_stress}) {
-        if (!std::isfinite(value)) {
-            throw NoSteadyFlow(
-                "no steady flow: the inputs are so far apart that the flow is beyond any number; "
-                "check the units of radius, load and ink");
-        }
+        if (!std::isfinite(value)) refuse_range();
+    }
+}
+
+void require_finite(const CellAnswer& cell) {
+    const CellStress stress = cell.stress.value_or(CellStress{});
+    for (const double value :
+         {cell.stress_ratio, cell.frequency.value_or(0.0), cell.relaxation_time.value_or(0.0),
+          stress.von_mises, stress.viscous, stress.elastic[0], stress.elastic[1], stress.elastic[2]}) {
+        if (!std::isfinite(value)) refuse_range();
     }
 }
 
@@ -178,10 +223,16 @@ Prediction predict(const Case& question) {
         prediction.cells.push_back(cell_in_nozzle(flow, question.cell, position.value));
         if (position.value == 0.0) {
             prediction.cells.push_back(cell_in_exit(flow, prediction.exit, question.cell));
+            if (question.transient && flow.velocity_average() > 0.0) add_exit_passage(flow, prediction);
         }
     }
+    if (!std::isfinite(flow.pressure_gradient() * question.cell.radius / question.cell.shear_modulus))
+        refuse_range();
+    for (const CellAnswer& cell : prediction.cells) require_finite(cell);
     if (question.profile_points > 0) prediction.profile = profile_of(flow, question.profile_points);
-    prediction.warnings = warnings_of(prediction, flow);
+    std::vector<Warning> warnings = warnings_of(prediction, flow);
+    prediction.warnings.insert(prediction.warnings.begin(), std::make_move_iterator(warnings.begin()),
+                               std::make_move_iterator(warnings.end()));
     return prediction;
 }
 

@@ -1,14 +1,14 @@
 #include "predict/warnings.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "bioprint/cell/bullet.hpp"
 #include "bioprint/cell/roscoe.hpp"
 #include "bioprint/flow/nozzle_exit.hpp"
+#include "numerics/brief.hpp"
 
 namespace bioprint {
 namespace {
@@ -25,15 +25,8 @@ constexpr double slow_cell_share = 0.1;
 /// The exit and nozzle theories have no inertia; water's density bounds it for every bioink.
 constexpr double density = 1000.0;
 
-std::string number(double value) {
-    std::array<char, 32> text{};
-    const auto end =
-        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 4);
-    return {text.data(), end.ptr};
-}
-
 std::string micrometres(double length) {
-    return number(length * 1e6) + " µm";
+    return brief(length * 1e6) + " µm";
 }
 
 class Collector {
@@ -47,16 +40,16 @@ class Collector {
 
 void check_sizes(const Case& question, Collector& warn) {
     if (question.radius > 5e-3 || question.radius < 1e-6) {
-        warn.add("suspicious_size", "the nozzle radius is " + number(question.radius) +
+        warn.add("suspicious_size", "the nozzle radius is " + brief(question.radius) +
                                         " m; a number without a unit is in metres: did you mean 50um?");
     }
     if (question.cell.radius > 200e-6 || question.cell.radius < 0.5e-6) {
-        warn.add("suspicious_size", "the cell radius is " + number(question.cell.radius) +
+        warn.add("suspicious_size", "the cell radius is " + brief(question.cell.radius) +
                                         " m; a number without a unit is in metres: did you mean 8um?");
     }
     if (question.cell.radius > question.radius / 3.0) {
         warn.add("large_cell", "the cell is larger than a third of the nozzle (R_c/R = " +
-                                   number(question.cell.radius / question.radius) +
+                                   brief(question.cell.radius / question.radius) +
                                    "): it changes the flow that these theories take as undisturbed");
     }
 }
@@ -99,12 +92,12 @@ void check_flow(const Prediction& prediction, const NozzleFlow& flow, Collector&
     if (nozzle.velocity_average <= 0.0) return;
     if (nozzle.velocity_max < plug_velocity_ratio * nozzle.velocity_average) {
         warn.add("plug_flow", "the ink flows almost as a plug (u_max/u_avg = " +
-                                  number(nozzle.velocity_max / nozzle.velocity_average) +
+                                  brief(nozzle.velocity_max / nozzle.velocity_average) +
                                   "): slip at the wall, which is left out, may decide the pressure");
     }
     const double reynolds = density * nozzle.velocity_average * 2.0 * flow.radius() / nozzle.viscosity_wall;
     if (reynolds > 1.0) {
-        warn.add("inertia", "the Reynolds number is " + number(reynolds) +
+        warn.add("inertia", "the Reynolds number is " + brief(reynolds) +
                                 " (density of water): the exit is computed without inertia");
     }
 }
@@ -116,7 +109,7 @@ void check_stress_ratios(const Prediction& prediction, Collector& warn) {
     }
     if (largest > checked_stress_ratio) {
         warn.add("stress_ratio",
-                 "stress ratio up to " + number(largest) + ": past " + number(checked_stress_ratio) +
+                 "stress ratio up to " + brief(largest) + ": past " + brief(checked_stress_ratio) +
                      ", the range in which the ellipsoid theory was checked against simulations");
     }
     const double bullet = prediction.nozzle.pressure_gradient * prediction.question.cell.radius /
@@ -126,35 +119,38 @@ void check_stress_ratios(const Prediction& prediction, Collector& warn) {
     if (centred && bullet > bullet_range) {
         warn.add("bullet_range",
                  "the centred cell in the nozzle is a small-deformation estimate, and G R_c/μ = " +
-                     number(bullet) + " is past " + number(bullet_range));
+                     brief(bullet) + " is past " + brief(bullet_range));
     }
 }
 
 void check_exit(const Prediction& prediction, const NozzleFlow& flow, Collector& warn) {
     const Case& question = prediction.question;
+    const std::string carried = question.transient ? "; the ellipsoid, carried in time, is the better value"
+                                                   : "; --model ellipsoid carries it in time";
     for (const CellAnswer& cell : prediction.cells) {
-        if (cell.place != Place::exit) continue;
+        if (cell.model != Model::roscoe_elongation) continue;
         if (!cell.stress) {
             const double limit =
                 elongation_limit_stress(question.cell.shear_modulus, ElongationDirection::compression);
             const auto edge = flow_at_elongational_stress(flow.ink(), flow.radius(), limit);
             warn.add("no_steady_shape",
-                     "the exit loads the cell with " + number(cell.fluid_stress) +
-                         " Pa, but no steady shape exists above " + number(limit) + " Pa" +
-                         (edge ? ", reached at a flow rate of " + number(edge->flow_rate()) + " m^3/s (" +
-                                     number(edge->velocity_average() * 1e3) + " mm/s)"
+                     "the exit loads the cell with " + brief(cell.fluid_stress) +
+                         " Pa, but no steady shape exists above " + brief(limit) + " Pa" +
+                         (edge ? ", reached at a flow rate of " + brief(edge->flow_rate()) + " m^3/s (" +
+                                     brief(edge->velocity_average() * 1e3) + " mm/s)"
                                : std::string{}) +
-                         "; the cell passes before it could collapse, which a steady theory cannot follow");
+                         "; the cell passes before it could collapse" + carried);
             continue;
         }
         const double passage = 2.0 * flow.radius() / flow.velocity_average();
-        const double response = relaxation_time(viscosity(flow.ink(), prediction.exit.elongation_rate),
-                                                question.cell.shear_modulus, question.cell.viscosity_ratio);
+        const double response =
+            relaxation_time(viscosity(flow.ink(), std::numbers::sqrt3 * prediction.exit.elongation_rate),
+                            question.cell.shear_modulus, question.cell.viscosity_ratio);
         if (flow.velocity_average() > 0.0 && response > slow_cell_share * passage) {
-            warn.add("exit_transient",
-                     "the cell passes the exit in " + number(passage * 1e3) + " ms and needs " +
-                         number(response * 1e3) +
-                         " ms to follow the load: the steady stress there is an upper estimate");
+            warn.add("exit_transient", "the cell passes the exit in " + brief(passage * 1e3) +
+                                           " ms and needs " + brief(response * 1e3) +
+                                           " ms to follow the load: the steady entry is not what it bears" +
+                                           carried);
         }
     }
 }

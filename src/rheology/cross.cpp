@@ -2,9 +2,10 @@
 
 #include <cmath>
 #include <limits>
-#include <sstream>
+#include <string>
 
 #include "bioprint/errors.hpp"
+#include "numerics/brief.hpp"
 #include "numerics/roots.hpp"
 
 namespace bioprint {
@@ -40,13 +41,11 @@ double largest_stable_x(double alpha, double e) {
 }
 
 [[noreturn]] void refuse(const CrossInk& ink, double stress, double top) {
-    std::ostringstream message;
-    message << "no steady flow: this ink bears a stress of at most "
-            << std::exp(log_reduced_stress(top, ink.alpha, ink.eta_inf / ink.eta0)) * ink.eta0 /
-                   ink.time_constant
-            << " Pa, but the load is " << stress
-            << " Pa; lower the pressure or the flow rate, or use alpha < 1";
-    throw NoSteadyFlow(message.str());
+    const double bearable =
+        std::exp(log_reduced_stress(top, ink.alpha, ink.eta_inf / ink.eta0)) * ink.eta0 / ink.time_constant;
+    throw NoSteadyFlow("no steady flow: this ink bears a stress of at most " + brief(bearable) +
+                       " Pa, but the load is " + brief(stress) +
+                       " Pa; lower the pressure or the flow rate, or use alpha < 1");
 }
 
 }  // namespace
@@ -61,6 +60,11 @@ double stress(const CrossInk& ink, double rate) {
 
 double largest_stable_rate(const CrossInk& ink) {
     return largest_stable_x(ink.alpha, ink.eta_inf / ink.eta0) / ink.time_constant;
+}
+
+double flow_index(const CrossInk& ink, double rate) {
+    if (rate == 0.0) return 1.0;
+    return local_index(std::log(ink.time_constant) + std::log(rate), ink.alpha, ink.eta_inf / ink.eta0);
 }
 
 double rate_at_stress(const CrossInk& ink, double stress) {

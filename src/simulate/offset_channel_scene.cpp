@@ -70,7 +70,7 @@ class Channel {
             sample.velocity = (centre - last) * lu_.spacing / (stride * lu_.time);
             last = centre;
             result.series.push_back(sample);
-            if (setup_.drive == ChannelDrive::constant_flow_rate) {
+            if (setup_.drive == OffsetDrive::constant_flow_rate) {
                 hold_flow_rate();
             }
             if (setup_.progress && !setup_.progress(static_cast<double>(result.steps) / total)) {

@@ -14,7 +14,7 @@
 /// local rate by local rate. A centred cell (offset 0) is allowed; the axisymmetric scene does it better.
 namespace bioprint {
 
-enum class ChannelDrive { constant_gradient, constant_flow_rate };
+enum class OffsetDrive { constant_gradient, constant_flow_rate };
 
 struct OffsetChannelSetup {
     CrossInk ink;
@@ -24,7 +24,7 @@ struct OffsetChannelSetup {
     double shear_modulus;     ///< of the cell [Pa]
     double offset;            ///< of the cell's centre at the start [m]
     double duration;          ///< [s]
-    ChannelDrive drive = ChannelDrive::constant_gradient;
+    OffsetDrive drive = OffsetDrive::constant_gradient;
     double nodes = 6.0;         ///< cell radius, in lattice nodes
     double length = 10.0;       ///< of the period, in cell radii
     bool inside = true;         ///< couple through points inside the elements

@@ -75,6 +75,18 @@ TEST_CASE("csv batch: an answer alone can be asked again") {
     CHECK(cell(again.out, 2, "nozzle.stress_max [Pa]") == cell(answers, 2, "nozzle.stress_max [Pa]"));
 }
 
+TEST_CASE("csv batch: a path of the answer's input is a question where there is no answer") {
+    const Outcome outcome = run("--batch - -q", "radius,input.ink.alpha\n50um,0\n");
+    CHECK(outcome.status == 0);
+    CHECK(cell(outcome.out, 1, "nozzle.stress_max [Pa]") == "2000");
+}
+
+TEST_CASE("csv batch: bytes that are no text are named and do not end the batch") {
+    const Outcome outcome = run("--batch - -q --json", "alpha,radius [q\xFC]\n0,5\n0,\n");
+    CHECK(outcome.status == 6);
+    CHECK(json::parse(outcome.out).size() == 2);
+}
+
 TEST_CASE("csv batch: separator and decimal comma and byte order mark and line ends are mirrored") {
     const std::string table = "\xEF\xBB\xBFProbe;radius [um];alpha\r\nA;50,5;0,75\r\nB;40;0,3\r\n";
     const Outcome outcome = run("--batch - -q", table);

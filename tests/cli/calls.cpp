@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -81,6 +82,15 @@ TEST_CASE("command: every problem of a call is told at once with status 2") {
     CHECK(run("--list sausages").status == 2);
     CHECK(run("--profile 1").status == 2);
     CHECK(run("stray").status == 2);
+    CHECK(run("--output ''").status == 2);
+    CHECK(run("--format ''").status == 2);
+    CHECK(run("--model quick").status == 2);
+    CHECK(run("--simulate=shear-thinning").status == 2);
+    CHECK(run("--simulate --alpha 0,0.5").status == 2);
+    CHECK(run("--simulate --offset 20um").status == 2);
+    CHECK(run("--simulate --viscosity-ratio 2").status == 2);
+    CHECK(run("--simulate --resolution 1").status == 2);
+    CHECK(run("--fidelity draft").status == 2);
 }
 
 TEST_CASE("command: physics without an answer has status 3") {
@@ -166,6 +176,20 @@ TEST_CASE("command: verbose adds the reference quadrature on standard error alon
     const Outcome verbose = run("--json --verbose");
     CHECK(plain.out == verbose.out);
     CHECK(contains(verbose.err, "adaptive quadrature"));
+}
+
+TEST_CASE("command: a simulation stands beside its prediction with difference and numerical error") {
+    const Outcome outcome = run("--simulate=channel --fidelity draft --json");
+    REQUIRE(outcome.status == 0);
+    const json simulation = json::parse(outcome.out)["simulation"];
+    const double predicted = simulation["predicted"]["von_mises"];
+    const double simulated = simulation["simulated"]["von_mises"];
+    const double error = simulation["error"]["von_mises"];
+    CHECK(simulation["difference"]["von_mises"] == doctest::Approx(predicted / simulated - 1.0));
+    CHECK(error > 0.0);
+    // 124 to 128 Pa at higher resolutions; the draft's own error estimate must cover its distance.
+    CHECK(std::abs(simulated - 126.0) < error + 2.0);
+    CHECK(run("--simulate=channel --fidelity draft --format csv").status == 2);
 }
 
 TEST_CASE("command: the locale never matters") {

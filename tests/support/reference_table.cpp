@@ -40,4 +40,12 @@ std::vector<ReferenceRow> read_reference(const std::string& file) {
     return rows;
 }
 
+ReferenceColumns read_reference_columns(const std::string& file) {
+    ReferenceColumns columns;
+    for (const ReferenceRow& row : read_reference(file)) {
+        for (const auto& [name, value] : row) columns[name].push_back(value);
+    }
+    return columns;
+}
+
 }  // namespace bioprint::test

@@ -12,4 +12,8 @@ using ReferenceRow = std::map<std::string, double>;
 /// @param file  below tests/reference
 std::vector<ReferenceRow> read_reference(const std::string& file);
 
+/// The same by columns.
+using ReferenceColumns = std::map<std::string, std::vector<double>>;
+ReferenceColumns read_reference_columns(const std::string& file);
+
 }  // namespace bioprint::test

@@ -4,10 +4,14 @@
 
 #include <array>
 #include <cmath>
+#include <string>
+#include <tuple>
+#include <vector>
 
 #include "bioprint/cell/axis_passage.hpp"
 #include "bioprint/cell/bullet.hpp"
 #include "predict/exit_axis.hpp"
+#include "predict/exit_axis_table.hpp"
 #include "support/reference_table.hpp"
 
 namespace {
@@ -30,27 +34,31 @@ NozzleFlow nozzle(double alpha, double velocity) {
 /// The undisturbed velocity on the axis from the finite-element table, cubic between its points.
 class FiniteElementAxis {
   public:
-    explicit FiniteElementAxis(const std::string& file) : table_(test::read_reference(file)) {}
+    explicit FiniteElementAxis(const std::string& file) {
+        for (const auto& row : test::read_reference(file)) {
+            x_.push_back(row.at("x_over_R"));
+            u_.push_back(row.at("velocity"));
+        }
+    }
 
     AxisFlow operator()(double z) const {
-        const auto& x = table_.at("x_over_R");
-        const auto& u = table_.at("velocity");
-        const double step = x[1] - x[0];
+        const double step = x_[1] - x_[0];
         const double place =
-            std::fmin(std::fmax((z / radius - x[0]) / step, 1.0), static_cast<double>(x.size()) - 3.0);
+            std::fmin(std::fmax((z / radius - x_[0]) / step, 1.0), static_cast<double>(x_.size()) - 3.0);
         const auto i = static_cast<std::size_t>(place);
         const double t = place - static_cast<double>(i);
-        const double m = 0.5 * (u[i + 1] - u[i - 1]);
-        const double n = 0.5 * (u[i + 2] - u[i]);
-        const double d = u[i + 1] - u[i];
-        return {.velocity = u[i] + t * (m + t * (3 * d - 2 * m - n + t * (m + n - 2 * d))),
+        const double m = 0.5 * (u_[i + 1] - u_[i - 1]);
+        const double n = 0.5 * (u_[i + 2] - u_[i]);
+        const double d = u_[i + 1] - u_[i];
+        return {.velocity = u_[i] + t * (m + t * (3 * d - 2 * m - n + t * (m + n - 2 * d))),
                 .elongation = (m + t * (2 * (3 * d - 2 * m - n) + t * 3 * (m + n - 2 * d))) / (step * radius),
                 .axial = 0.0,
                 .radial = 0.0};
     }
 
   private:
-    test::ReferenceTable table_;
+    std::vector<double> x_;
+    std::vector<double> u_;
 };
 
 struct Simulated {
@@ -109,6 +117,22 @@ TEST_CASE("exit axis: the interpolated profile is as close to the finite-element
         CHECK(worst < 0.0085);
         CHECK(!axis.extrapolated());
     }
+}
+
+TEST_CASE("exit axis: the compiled table is the one in data") {
+    std::size_t row = 0;
+    for (const auto& line : test::read_reference("../../data/exit/axis_profile.csv")) {
+        const std::size_t i = row / exit_rates.size();
+        const std::size_t j = row % exit_rates.size();
+        ++row;
+        CHECK(line.at("alpha") == exit_alphas.at(i));
+        CHECK(line.at("rate") == exit_rates.at(j));
+        CHECK(line.at("x0") == exit_shapes.at(i).at(j).x0);
+        CHECK(line.at("w") == exit_shapes.at(i).at(j).w);
+        CHECK(line.at("c") == exit_shapes.at(i).at(j).c);
+        CHECK(line.at("max_error") < 0.023);
+    }
+    CHECK(row == exit_alphas.size() * exit_rates.size());
 }
 
 TEST_CASE("exit axis: its derivatives are those of its velocity") {

@@ -20,7 +20,7 @@ ShearSceneSetup scene(double ratio, double nodes) {
             .shear_modulus = modulus,
             .shear_rate = rate,
             .nodes = nodes,
-            .longest = 12.0};
+            .longest = 12.0 + 18.0 * ratio};
 }
 
 EllipsoidState roscoe(double ratio) {

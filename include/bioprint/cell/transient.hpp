@@ -58,6 +58,7 @@ struct TransientState {
 struct TransientOptions {
     double tolerance = 1e-8;  ///< relative, of each step
     int max_steps = 200000;
+    int samples = 1;  ///< calls of the observer a step, evenly spread over it
 };
 
 /// The gradient Λ inside a cell.
@@ -68,7 +69,7 @@ TransientState transient_state(double time, const Deformation& deformation, cons
 
 /// Carries the cell from one time to another.
 /// @param flow     the ink at a time [s]; smooth or in few pieces
-/// @param observe  called at the start and after every step
+/// @param observe  called at the start and then in every step, options.samples times, the last at its end
 /// @throws UsageError    a value outside its range or not finite
 /// @throws NotConverged  the integrator gave up
 TransientState carry_cell(FunctionRef<AmbientFlow(double)> flow, const TransientCell& cell,

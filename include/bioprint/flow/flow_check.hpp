@@ -2,8 +2,8 @@
 
 #include "bioprint/flow/nozzle_flow.hpp"
 
-/// The nozzle flow by another route: GSL's adaptive quadrature of the plain profile integrals, which estimates its
-/// own error. Two hundred times slower than the fixed rule; the reference it is held against.
+/// The nozzle flow by another route: GSL's adaptive quadrature of the plain profile integrals, which
+/// estimates its own error. Two hundred times slower than the fixed rule; the reference it is held against.
 namespace bioprint {
 
 struct FlowCheck {

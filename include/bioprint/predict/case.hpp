@@ -51,6 +51,8 @@ struct Case {
     CellChoice cell;
     std::vector<CellPosition> positions;  ///< empty: 0, 1.5, 3 and 4.5 cell radii as far as they fit
     std::optional<NeedleChoice> needle;
+    bool transient =
+        true;  ///< also carry the centred cell through the exit in time (model "ellipsoid"); ~50 µs
     int profile_points = 0;  ///< radial profile from axis to wall; 0: none, else at least 2
 };
 

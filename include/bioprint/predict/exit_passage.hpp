@@ -16,7 +16,8 @@ struct ExitPassageRequest {
 
 struct ExitPassage {
     AxisPassage passage;  ///< positions count from the lip [m]
-    bool extrapolated;    ///< the ink lies outside the tabulated exit flows
+    bool extrapolated;    ///< the ink lies outside the tabulated exit flows; its thinning by the cell is then
+                          ///< left out
 };
 
 /// @throws UsageError, NotConverged  as carry_along_axis

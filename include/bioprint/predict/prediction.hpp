@@ -30,7 +30,7 @@ struct ExitAnswer {
 };
 
 enum class Place { nozzle, exit };
-enum class Model { bullet, roscoe_shear, roscoe_elongation };
+enum class Model { bullet, roscoe_shear, roscoe_elongation, ellipsoid };
 
 struct CellStress {
     double von_mises;               ///< [Pa]
@@ -38,7 +38,8 @@ struct CellStress {
     double viscous;                 ///< [Pa]
 };
 
-/// One cell at one place by one model.
+/// One cell at one place by one model. The ellipsoid is carried in time: its entry is the moment of its
+/// largest stress.
 struct CellAnswer {
     Place place;
     Model model;
@@ -78,7 +79,8 @@ struct Prediction {
 
 /// Answers a case: flow, exit, and each cell's stress and strain.
 /// @throws UsageError    the case is not sound (`problems_of`)
-/// @throws NoSteadyFlow  the ink cannot bear the load
+/// @throws NoSteadyFlow  the ink cannot bear the load, or the inputs are so far apart that no number holds the answer
+/// @throws NotConverged  a stress ratio above 1e40
 Prediction predict(const Case& question);
 
 }  // namespace bioprint

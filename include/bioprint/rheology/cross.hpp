@@ -26,6 +26,10 @@ double stress(const CrossInk& ink, double rate);
 /// The largest rate up to which the stress still grows with the rate, in 1/s; +infinity when it always does.
 double largest_stable_rate(const CrossInk& ink);
 
+/// d ln(stress)/d ln(rate) at a rate of strain [1/s] ≥ 0: the exponent of the power law that touches the ink's curve
+/// there. 1 for a Newtonian ink, 0 where the stress saturates.
+double flow_index(const CrossInk& ink, double rate);
+
 /// The rate of strain [1/s] of a stress [Pa] ≥ 0: the inverse of `stress` on its rising branch.
 /// @throws NoSteadyFlow  the stress is beyond what the ink can bear, or its rate beyond 1e100/K
 double rate_at_stress(const CrossInk& ink, double stress);

@@ -1,0 +1,247 @@
+#include "io/simulation_answer.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bioprint/errors.hpp"
+#include "bioprint/io/number_format.hpp"
+#include "io/answer_object.hpp"
+#include "io/row_answer.hpp"
+#include "io/table.hpp"
+
+namespace bioprint {
+namespace {
+
+std::string_view scene_name(SceneKind scene) {
+    switch (scene) {
+        case SceneKind::exit_flow:
+            return "exit-flow";
+        case SceneKind::channel:
+            return "channel";
+        case SceneKind::exit:
+            return "exit";
+    }
+    return "";
+}
+
+std::string_view fidelity_name(const SimulationQuestion& question) {
+    if (question.resolution) return "custom";
+    switch (question.fidelity) {
+        case Fidelity::draft:
+            return "draft";
+        case Fidelity::standard:
+            return "standard";
+        case Fidelity::fine:
+            return "fine";
+    }
+    return "";
+}
+
+Json finite(double value) {
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+std::optional<double> difference(const ComparedValue& value) {
+    if (!value.predicted || value.simulated == 0.0) return std::nullopt;
+    return *value.predicted / value.simulated - 1.0;
+}
+
+/// A map of values; "stretch.0" to "stretch.2" become one list.
+template <class Pick>
+Json values_object(const std::vector<ComparedValue>& values, const Pick& pick) {
+    Json object = Json::object();
+    for (const ComparedValue& value : values) {
+        const std::optional<double> picked = pick(value);
+        const Json number = picked ? finite(*picked) : Json(nullptr);
+        if (value.name.starts_with("stretch.")) {
+            object["stretch"].push_back(number);
+        } else {
+            object[value.name] = number;
+        }
+    }
+    return object;
+}
+
+Json lattice_object(const LatticeReport& lattice) {
+    return {{"nodes_per_radius", lattice.nodes_per_radius},
+            {"length", lattice.length},
+            {"nodes_per_cell_radius", finite(lattice.nodes_per_cell_radius)},
+            {"spacing", finite(lattice.spacing)},
+            {"time_step", finite(lattice.time_step)},
+            {"velocity", finite(lattice.velocity)},
+            {"viscosity", finite(lattice.viscosity)},
+            {"wall_reynolds", finite(lattice.wall_reynolds)},
+            {"shear_modulus", finite(lattice.shear_modulus)},
+            {"binding", lattice.binding},
+            {"vector_width", lattice.vector_width}};
+}
+
+Json series_object(const SimulationSeries& series) {
+    Json object = Json::object();
+    for (std::size_t column = 0; column < series.columns.size(); ++column) {
+        Json numbers = Json::array();
+        for (const std::vector<double>& row : series.rows) numbers.push_back(finite(row.at(column)));
+        object[series.columns[column]] = std::move(numbers);
+    }
+    return object;
+}
+
+Json simulation_object(const Comparison& comparison, const SimulationQuestion& question) {
+    const SimulationResult& run = comparison.run;
+    Json object;
+    object["scene"] = scene_name(run.scene);
+    object["fidelity"] = fidelity_name(question);
+    object["lattice"] = lattice_object(run.lattice);
+    object["steps"] = run.steps;
+    object["wall_time"] = finite(run.wall_time);
+    object["updates_per_second"] = finite(run.updates_per_second);
+    object["predicted"] = values_object(comparison.values, [](const auto& v) { return v.predicted; });
+    object["simulated"] =
+        values_object(comparison.values, [](const auto& v) { return std::optional(v.simulated); });
+    object["difference"] = values_object(comparison.values, [](const auto& v) { return difference(v); });
+    object["error"] = values_object(comparison.values, [](const auto& v) { return std::optional(v.error); });
+    object["series"] = series_object(run.series);
+    return object;
+}
+
+struct ValueName {
+    std::string_view name;
+    std::string_view label;
+    Dimension dimension;
+};
+
+const ValueName& label_of(std::string_view name) {
+    using enum Dimension;
+    static constexpr std::array<ValueName, 18> names = {{
+        {"pressure_gradient", "pressure gradient", Dimension::pressure_gradient},
+        {"velocity_max", "largest velocity", velocity},
+        {"radial_velocity_max", "largest radial velocity", velocity},
+        {"elongational_stress_peak", "elongational stress, peak", pressure},
+        {"elongational_stress_average", "elongational stress, average", pressure},
+        {"excess_pressure", "excess pressure of the exit", pressure},
+        {"von_mises", "von Mises stress", pressure},
+        {"stretch.0", "stretch along the axis", dimensionless},
+        {"stretch.1", "stretch across", dimensionless},
+        {"stretch.2", "stretch across", dimensionless},
+        {"cell_velocity", "cell velocity", velocity},
+        {"deformation", "deformation", dimensionless},
+        {"von_mises_channel", "von Mises in the nozzle", pressure},
+        {"von_mises_peak", "von Mises, peak", pressure},
+        {"stretch_axial_min", "least stretch along the axis", dimensionless},
+        {"stretch_radial_max", "largest stretch across", dimensionless},
+        {"peak_position", "peak behind the lip", length},
+        {"relaxation_time", "relaxation time", time},
+    }};
+    static constexpr ValueName unknown{"", "value", dimensionless};
+    const auto found =
+        std::find_if(names.begin(), names.end(), [&](const ValueName& n) { return n.name == name; });
+    return found == names.end() ? unknown : *found;
+}
+
+std::string lab(double value, Dimension dimension) {
+    const LabNumber n = format_lab(value, dimension);
+    return n.unit.empty() ? n.number : n.number + " " + n.unit;
+}
+
+std::string simulation_table(const Comparison& comparison, const SimulationQuestion& question,
+                             TableStyle style) {
+    std::vector<std::vector<std::string>> rows = {
+        {"", "predicted", "simulated", "difference", "numerical error"}};
+    for (const ComparedValue& value : comparison.values) {
+        const ValueName& name = label_of(value.name);
+        if (value.name == "stretch.2") continue;  // as stretch.1
+        const std::optional<double> off = difference(value);
+        const double error = value.simulated == 0.0 ? 0.0 : std::abs(value.error / value.simulated);
+        rows.push_back({std::string(name.label),
+                        value.predicted ? lab(*value.predicted, name.dimension) : "–",
+                        lab(value.simulated, name.dimension),
+                        off ? format_lab(100.0 * *off, Dimension::dimensionless, 2).number + " %" : "–",
+                        format_lab(100.0 * error, Dimension::dimensionless, 2).number + " %"});
+    }
+    const SimulationResult& run = comparison.run;
+    std::string text = "\n" + table_heading("Simulation: " + std::string(scene_name(run.scene)), style) +
+                       table_grid(rows, 1) + "  " +
+                       format_lab(run.lattice.nodes_per_cell_radius, Dimension::dimensionless, 3).number +
+                       " nodes a cell radius (" + std::string(fidelity_name(question)) + "), " +
+                       std::to_string(run.steps) + " steps in " + lab(run.wall_time, Dimension::time) + "\n";
+    if (!style.quiet) {
+        for (const SimulationWarning& warning : run.warnings) text += "  - " + warning.message + "\n";
+    }
+    return text;
+}
+
+void write(const Prediction& prediction, const Comparison& comparison, const SimulationQuestion& question,
+           const RunOptions& options, const Sink& sink) {
+    if (options.format == Format::table && options.paths.empty()) {
+        return sink(answer_table(prediction, options.style) +
+                    simulation_table(comparison, question, options.style));
+    }
+    Json answer = answer_object(prediction);
+    answer["simulation"] = simulation_object(comparison, question);
+    for (const SimulationWarning& warning : comparison.run.warnings) {
+        answer["warnings"].push_back({{"code", warning.code}, {"message", warning.message}});
+    }
+    if (!options.paths.empty()) {
+        for (const std::string& path : options.paths) sink(value_text(value_at(answer, path)) + "\n");
+        return;
+    }
+    sink(json_text(answer, options.format == Format::json ? 2 : -1) + "\n");
+}
+
+}  // namespace
+
+SceneKind scene_of(std::string_view name, const Prediction& prediction) {
+    const auto& positions = prediction.question.positions;
+    const bool centred =
+        std::any_of(positions.begin(), positions.end(), [](const auto& p) { return p.value == 0.0; });
+    if (name == "exit-flow") return SceneKind::exit_flow;
+    if (name != "channel" && name != "exit" && name != "auto") {
+        throw UsageError(
+            "--simulate: got '" + std::string(name) + "'; it takes exit-flow, channel, exit or auto",
+            "--simulate");
+    }
+    if (!centred) {
+        throw UsageError(
+            "--simulate: the cell's scenes are simulated on the axis and no position of this question is; "
+            "add 0 to --offset, or ask for --simulate=exit-flow",
+            "--simulate");
+    }
+    return name == "channel" ? SceneKind::channel : SceneKind::exit;
+}
+
+double resolution_of(const SimulationQuestion& question) {
+    if (question.resolution) return *question.resolution;
+    switch (question.fidelity) {
+        case Fidelity::draft:
+            return 3.0;
+        case Fidelity::standard:
+            return 6.0;
+        case Fidelity::fine:
+            return 12.0;
+    }
+    return 6.0;
+}
+
+void answer_with_simulation(const Settings& settings, const SimulationQuestion& question,
+                            const RunOptions& options, SimulationOptions simulation, const Sink& sink) {
+    if (options.format == Format::csv) {
+        throw UsageError("--format: a simulation is answered as table, json or jsonl", "--format");
+    }
+    const Prediction prediction = predict(settings.make_case());
+    const SceneKind scene = scene_of(question.scene, prediction);
+    if (scene != SceneKind::exit_flow && prediction.question.cell.viscosity_ratio != 1.0) {
+        throw UsageError(
+            "--viscosity-ratio: the simulated cell is filled with the ink; leave it at 1 with --simulate",
+            "--viscosity-ratio");
+    }
+    simulation.resolution = resolution_of(question);
+    try {
+        write(prediction, compare_with_simulation(prediction, scene, simulation), question, options, sink);
+    } catch (const SimulationIncomplete& e) {
+        if (!e.result().values.empty())
+            write(prediction, compare(prediction, e.result()), question, options, sink);
+        throw;
+    }
+}
+
+}  // namespace bioprint

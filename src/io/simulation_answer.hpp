@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "bioprint/predict/comparison.hpp"
+#include "io/run.hpp"
+
+/// `--simulate`: a prediction, its simulation, their difference and the simulation's own error side by side.
+namespace bioprint {
+
+enum class Fidelity { draft, standard, fine };
+
+struct SimulationQuestion {
+    std::string scene = "auto";  ///< exit-flow, channel, exit, or auto
+    Fidelity fidelity = Fidelity::standard;
+    std::optional<double> resolution;  ///< nodes a cell radius; overrides the fidelity's 3, 6 or 12
+};
+
+/// @throws UsageError  not a scene, or one that this question does not fit
+SceneKind scene_of(std::string_view name, const Prediction& prediction);
+double resolution_of(const SimulationQuestion& question);
+
+/// Predicts, simulates and writes the answer. What an interrupted run had is written before its error goes
+/// on.
+/// @throws SimulationIncomplete  and what predict() and simulate() throw
+void answer_with_simulation(const Settings& settings, const SimulationQuestion& question,
+                            const RunOptions& options, SimulationOptions simulation, const Sink& sink);
+
+}  // namespace bioprint

@@ -1,0 +1,88 @@
+#include "simulate/keeper.hpp"
+
+namespace bioprint {
+namespace {
+
+/// What a checkpoint must agree in to be resumed: the same scene on the same lattice.
+std::vector<double> fingerprint(const Scene& s, const SimulationOptions& o) {
+    return {static_cast<double>(s.kind),
+            s.ink.eta0,
+            s.ink.eta_inf,
+            s.ink.time_constant,
+            s.ink.alpha,
+            s.nozzle_radius,
+            s.velocity_average,
+            s.cell.radius,
+            s.cell.shear_modulus,
+            static_cast<double>(s.drive),
+            o.resolution,
+            o.estimate_error ? 1.0 : 0.0,
+            o.accuracy,
+            o.settle_tolerance,
+            o.channel_time,
+            static_cast<double>(o.coupling),
+            o.bulk_modulus_ratio,
+            o.mesh_spacing};
+}
+
+}  // namespace
+
+double Record::next() {
+    if (at_ >= values_.size()) {
+        throw DataError("the checkpoint is cut short");
+    }
+    return values_[at_++];
+}
+
+std::span<const double> Record::next_list() {
+    const double size = next();
+    if (!(size >= 0.0) || size > static_cast<double>(values_.size() - at_)) {
+        throw DataError("the checkpoint is cut short");
+    }
+    const std::span<const double> list(values_.data() + at_, static_cast<std::size_t>(size));
+    at_ += list.size();
+    return list;
+}
+
+Keeper::Keeper(const Scene& scene, const SimulationOptions& options) : options_(options) {
+    const std::vector<double> own = fingerprint(scene, options);
+    if (options.resume != nullptr) {
+        const auto other = options.resume->parts.find("scene");
+        if (other == options.resume->parts.end() || other->second != own) {
+            throw UsageError("--resume: the checkpoint is of another scene or resolution", "--resume");
+        }
+        state_ = *options.resume;
+    }
+    state_.parts["scene"] = own;
+}
+
+bool Keeper::due() const {
+    if (!options_.checkpoint) {
+        return false;
+    }
+    const std::lock_guard lock(mutex_);
+    const std::chrono::duration<double> since = std::chrono::steady_clock::now() - last_;
+    return since.count() >= options_.checkpoint_interval;
+}
+
+void Keeper::put(const std::string& stage, const Record& record, bool now) {
+    if (!options_.checkpoint) {
+        return;
+    }
+    const std::lock_guard lock(mutex_);
+    state_.parts[stage] = record.values();
+    if (now) {
+        options_.checkpoint(state_);
+        last_ = std::chrono::steady_clock::now();
+    }
+}
+
+const std::vector<double>* Keeper::found(const std::string& stage) const {
+    if (options_.resume == nullptr) {
+        return nullptr;
+    }
+    const auto part = options_.resume->parts.find(stage);
+    return part == options_.resume->parts.end() ? nullptr : &part->second;
+}
+
+}  // namespace bioprint

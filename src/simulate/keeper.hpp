@@ -1,0 +1,53 @@
+#pragma once
+
+#include <chrono>
+#include <mutex>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bioprint/simulate/simulation.hpp"
+
+/// Checkpoints: what each stage has reached, collected from the runs of one simulation and handed out now and
+/// then.
+namespace bioprint {
+
+/// A list of numbers written and read in the same order.
+class Record {
+  public:
+    Record() = default;
+    explicit Record(std::vector<double> values) : values_(std::move(values)) {}
+    void put(double value) { values_.push_back(value); }
+    void put(std::span<const double> values) {
+        put(static_cast<double>(values.size()));
+        values_.insert(values_.end(), values.begin(), values.end());
+    }
+    /// @throws DataError  the record is shorter than what is read from it
+    double next();
+    std::span<const double> next_list();
+    [[nodiscard]] const std::vector<double>& values() const { return values_; }
+
+  private:
+    std::vector<double> values_;
+    std::size_t at_ = 0;
+};
+
+class Keeper {
+  public:
+    Keeper(const Scene& scene, const SimulationOptions& options);
+
+    /// Whether it is time for a checkpoint.
+    [[nodiscard]] bool due() const;
+    /// Replaces what is known of a stage; hands everything out when it is time or `now`.
+    void put(const std::string& stage, const Record& record, bool now);
+    /// What the simulation that is resumed knew of a stage; null when nothing.
+    [[nodiscard]] const std::vector<double>* found(const std::string& stage) const;
+
+  private:
+    const SimulationOptions& options_;
+    mutable std::mutex mutex_;
+    SimulationState state_;
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace bioprint

@@ -1,0 +1,175 @@
+#include "simulate/lattice_units.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace bioprint {
+namespace {
+
+constexpr double sound_squared = 1.0 / 3.0;
+constexpr double largest_wall_reynolds = 5.0;
+constexpr double largest_reynolds = 1.0;
+constexpr double largest_modulus = 0.2 * sound_squared;
+constexpr double largest_velocity = 0.05;
+constexpr double smallest_viscosity = 1e-3;
+constexpr int smallest_radius = 12;
+constexpr int largest_radius = 2000;
+constexpr double largest_confinement = 0.6;
+/// The steady flow settles soonest when viscous and pressure diffusion take equally long: measured, c = 0.25
+/// N.
+constexpr double settling_viscosity = 0.25;
+
+std::string number(double value) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.3g", value);
+    return text.data();
+}
+
+LatticeUnits make(const NozzleFlow& flow, int nodes, double velocity_lu, double viscosity_lu) {
+    LatticeUnits u{};
+    u.radius = nodes;
+    u.spacing = flow.radius() / nodes;
+    u.velocity_lu = velocity_lu;
+    u.viscosity_lu = viscosity_lu;
+    u.velocity = flow.velocity_average() / velocity_lu;
+    u.time_step = u.spacing / u.velocity;
+    u.stress = flow.ink().eta0 / (viscosity_lu * u.time_step);
+    const double wall = viscosity(flow.ink(), flow.shear_rate_max()) / flow.ink().eta0;
+    u.wall_reynolds = velocity_lu * nodes / (viscosity_lu * wall);
+    return u;
+}
+
+/// The largest stress that the flow puts on a cell: in the nozzle across its radius, at the exit on a rigid
+/// sphere.
+double largest_stress(const Scene& scene, const NozzleFlow& flow) {
+    const double channel = flow.pressure_gradient() * scene.cell.radius;
+    const double rate = flow.velocity_excess() / scene.nozzle_radius;
+    const double exit = 2.5 * std::sqrt(3.0) * stress(flow.ink(), std::sqrt(3.0) * rate);
+    return scene.kind == SceneKind::channel ? channel : std::max(channel, exit);
+}
+
+}  // namespace
+
+lattice::CrossRelaxation LatticeUnits::relaxation(const CrossInk& ink) const {
+    const double t0 = 3.0 * viscosity_lu;
+    return {.t0 = t0,
+            .t_inf = t0 * ink.eta_inf / ink.eta0,
+            .time_constant = ink.time_constant / time_step,
+            .alpha = ink.alpha};
+}
+
+LatticeUnits LatticeUnits::with(double new_velocity, double new_viscosity, const NozzleFlow& flow) const {
+    return make(flow, radius, new_velocity, new_viscosity);
+}
+
+LatticeProfile lattice_profile(const NozzleFlow& flow, const LatticeUnits& units) {
+    LatticeProfile p;
+    const int n = units.radius;
+    double flux = 0.0;
+    for (int j = 0; j < n; ++j) {
+        const double r = (j + 0.5) * units.spacing;
+        p.velocity.push_back(flow.velocity(r) / units.velocity);
+        p.slope.push_back(-flow.shear_rate(r) * units.time_step);
+        flux += (2.0 * j + 1.0) * p.velocity.back() / (static_cast<double>(n) * n);
+    }
+    const double exact = units.velocity_lu / flux;
+    for (double& u : p.velocity) {
+        u *= exact;
+    }
+    for (int j = 0; j < n; ++j) {
+        p.links.push_back(flow.velocity(j * units.spacing) / units.velocity * exact);
+    }
+    p.links.push_back(0.0);
+    p.pressure_gradient = flow.pressure_gradient() * units.spacing / units.stress;
+    return p;
+}
+
+int layers_for(double resolution, double mesh_spacing) {
+    return std::max(2, static_cast<int>(std::lround(resolution / mesh_spacing)));
+}
+
+int nodes_for(const Scene& scene, int layers, double mesh_spacing) {
+    const double cell = scene.cell.radius > 0.0 ? scene.cell.radius : 0.16 * scene.nozzle_radius;
+    const double nodes = layers * mesh_spacing * scene.nozzle_radius / cell;
+    if (nodes > largest_radius) {
+        throw UsageError(
+            "the cell is " + number(scene.nozzle_radius / cell) + " times smaller than the nozzle: " +
+                number(nodes) + " nodes a nozzle radius are more than " + number(largest_radius) +
+                "; take --resolution " + number(largest_radius * cell / scene.nozzle_radius) + " or less",
+            "--resolution");
+    }
+    return std::max(smallest_radius, static_cast<int>(std::lround(nodes)));
+}
+
+LatticeUnits units_for_cell(const Scene& scene, const NozzleFlow& flow, int nodes,
+                            const SimulationOptions& options) {
+    const double stiffness = std::max(1.0, options.bulk_modulus_ratio);
+    const double wall = viscosity(flow.ink(), flow.shear_rate_max()) / flow.ink().eta0;
+    const double reynolds = std::min(largest_reynolds, largest_wall_reynolds * wall);
+    // Stresses in lattice units are this times Re ν0²/N².
+    const double unit = flow.ink().eta0 * flow.velocity_average() / flow.radius();
+    const double n2 = static_cast<double>(nodes) * nodes;
+    struct Limit {
+        double viscosity;
+        const char* name;
+    };
+    const std::array<Limit, 3> limits{{
+        {std::sqrt(options.accuracy * sound_squared * unit / largest_stress(scene, flow) * n2 / reynolds),
+         "compression"},
+        {std::sqrt(largest_modulus * unit / (stiffness * scene.cell.shear_modulus) * n2 / reynolds),
+         "elastic waves"},
+        {largest_velocity * nodes / reynolds, "velocity"},
+    }};
+    const Limit& tightest =
+        *std::min_element(limits.begin(), limits.end(),
+                          [](const Limit& a, const Limit& b) { return a.viscosity < b.viscosity; });
+    if (tightest.viscosity < smallest_viscosity) {
+        const double factor = std::pow(smallest_viscosity / tightest.viscosity, 2.0);
+        throw UsageError("a cell of " + number(scene.cell.shear_modulus) +
+                             " Pa is too stiff for this flow: the coupling holds up to " +
+                             number(scene.cell.shear_modulus / factor) + " Pa at this speed",
+                         "--shear-modulus");
+    }
+    LatticeUnits units = make(flow, nodes, reynolds * tightest.viscosity / nodes, tightest.viscosity);
+    units.binding =
+        reynolds < largest_reynolds ? std::string("unsteadiness, ") + tightest.name : tightest.name;
+    return units;
+}
+
+LatticeUnits units_for_flow(const NozzleFlow& flow, int nodes) {
+    const double apparent = flow.pressure_gradient() * flow.radius() * flow.radius() /
+                            (8.0 * flow.velocity_average() * flow.ink().eta0);
+    LatticeUnits units = make(flow, nodes, largest_velocity, settling_viscosity * nodes / apparent);
+    units.binding = "settling";
+    return units;
+}
+
+void check(const Scene& scene, const SimulationOptions& options) {
+    const auto positive = [](double value, const char* option, const char* what) {
+        if (!(value > 0.0) || !std::isfinite(value)) {
+            throw UsageError(std::string(option) + ": " + what + " must be positive", option);
+        }
+    };
+    positive(scene.nozzle_radius, "--radius", "the nozzle's radius");
+    positive(scene.velocity_average, "--velocity", "the average velocity");
+    if (!(options.resolution >= 3.0) || options.resolution > 100.0) {
+        throw UsageError(
+            "--resolution: a cell radius takes 3 to 100 nodes, not " + number(options.resolution),
+            "--resolution");
+    }
+    if (scene.kind == SceneKind::exit_flow) {
+        return;
+    }
+    positive(scene.cell.radius, "--cell-radius", "the cell's radius");
+    positive(scene.cell.shear_modulus, "--shear-modulus", "the shear modulus");
+    if (scene.cell.radius > largest_confinement * scene.nozzle_radius) {
+        throw UsageError("--cell-radius: a cell of " + number(scene.cell.radius) +
+                             " m is too large for this nozzle; the simulation takes up to " +
+                             number(largest_confinement * scene.nozzle_radius) + " m",
+                         "--cell-radius");
+    }
+}
+
+}  // namespace bioprint

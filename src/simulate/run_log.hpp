@@ -1,0 +1,65 @@
+#pragma once
+
+#include <atomic>
+#include <vector>
+
+#include "bioprint/simulate/simulation.hpp"
+#include "simulate/keeper.hpp"
+
+/// What the stages of one run share: progress, cancellation, the count of work, and what has been found so
+/// far.
+namespace bioprint {
+
+class RunLog {
+  public:
+    RunLog(const SimulationOptions& options, Keeper& keeper, const char* name, bool reports)
+        : options_(options), keeper_(keeper), name_(name), reports_(reports) {}
+
+    void count(long steps, double nodes) {
+        result.steps += steps;
+        updates += static_cast<double>(steps) * nodes;
+    }
+    void progress(const char* stage, double done) const {
+        if (reports_ && options_.progress) {
+            options_.progress({.stage = stage, .done = done});
+        }
+    }
+    [[nodiscard]] bool cancelled() const {
+        return options_.cancel != nullptr && options_.cancel->load(std::memory_order_relaxed);
+    }
+    [[noreturn]] void stop(const std::string& reason) const { throw SimulationIncomplete(reason, result); }
+    void stop_if_cancelled() const {
+        if (cancelled()) {
+            stop("the simulation was cancelled");
+        }
+    }
+    void value(const char* name, double value) {
+        result.values.push_back({.name = name, .value = value, .error = 0.0, .resolved = value});
+    }
+    void warn(const char* code, const std::string& message) {
+        result.warnings.push_back({.code = code, .message = message});
+    }
+    /// Keeps a stage's state when it is time to, or when it is `finished`.
+    template <class State>
+    void keep(const char* stage, bool finished, const State& state) {
+        const bool due = keeper_.due();
+        if (options_.checkpoint && (due || finished)) {
+            keeper_.put(name_ + stage, state(), due);
+        }
+    }
+    [[nodiscard]] const std::vector<double>* found(const char* stage) const {
+        return keeper_.found(name_ + stage);
+    }
+    [[nodiscard]] const SimulationOptions& options() const { return options_; }
+
+    SimulationResult result;
+    double updates = 0.0;
+
+  private:
+    const SimulationOptions& options_;
+    Keeper& keeper_;
+    std::string name_;
+    bool reports_;
+};
+
+}  // namespace bioprint
