@@ -15,4 +15,4 @@ target_sources(bioprint_solid PRIVATE
   tetra_solid.cpp
   tetra_volume.cpp
   ${CMAKE_CURRENT_BINARY_DIR}/tetra_mesh_texts.cpp)
-target_link_libraries(bioprint_solid PRIVATE Eigen3::Eigen)
+target_link_libraries(bioprint_solid PRIVATE $<BUILD_INTERFACE:Eigen3::Eigen>)
