@@ -9,6 +9,7 @@ target_sources(bioprint_lattice PRIVATE
   huge_buffer.cpp
   section.cpp)
 target_link_libraries(bioprint_lattice PRIVATE OpenMP::OpenMP_CXX)
+set_property(GLOBAL APPEND PROPERTY BIOPRINT_LINKED_PACKAGES OpenMP)
 
 set(kernel_flags -fopenmp-simd -ffp-contract=fast -fno-math-errno -fno-trapping-math)
 set_source_files_properties(d3q19_kernel_baseline.cpp PROPERTIES COMPILE_OPTIONS "${kernel_flags}")

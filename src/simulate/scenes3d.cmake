@@ -1,0 +1,8 @@
+# The scenes in three dimensions.
+target_sources(bioprint_simulate PRIVATE
+  ellipsoid_axes.cpp
+  immersed_body.cpp
+  offset_channel_scene.cpp
+  offset_exit_scene.cpp
+  offset_view.cpp
+  shear_scene.cpp)
