@@ -222,7 +222,10 @@ class CsvBatch {
             record.raw.find('\0') == std::string_view::npos) {
             row.fault.clear();
         }
-        row.sealed = record.open_quote || record.fields.size() > reader_.header().size();
+        const std::size_t count = record.fields.size();
+        const bool into_ours = count > layout_.kept().size() && count < reader_.header().size();
+        row.sealed = record.open_quote || count > reader_.header().size() || into_ours;
+        if (into_ours) row.fault = "has more cells than there are columns of the user's";
         if (record.blank || row.sealed) {
             row.kept = record.raw;
             return row;

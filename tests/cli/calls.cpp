@@ -178,6 +178,48 @@ TEST_CASE("command: verbose adds the reference quadrature on standard error alon
     CHECK(contains(verbose.err, "adaptive quadrature"));
 }
 
+TEST_CASE("command: the population is asked for with thresholds") {
+    const json answer =
+        json::parse(run("--population --threshold 1kPa --threshold 500Pa --length 10mm --json").out);
+    const json& population = answer["population"];
+    CHECK(population["thresholds"].size() == 2);
+    CHECK(population["thresholds"][0]["share_above"] < population["thresholds"][1]["share_above"]);
+    CHECK(population["peak_stress"]["median"] < population["peak_stress"]["percentile_99"]);
+    CHECK(population["exposure"]["mean"] > 0.0);
+    CHECK(run("--threshold 1kPa").status == 2);
+    CHECK(contains(run("--population --alpha 0,0.5 --format csv").out,
+                   "population.peak_stress.percentile_95 [Pa]"));
+}
+
+TEST_CASE("command: the history of the centred cell passes through its peak") {
+    CHECK(run("--history way.csv -q").status == 0);
+    const std::vector<std::string> rows = lines(read_scratch("way.csv"));
+    CHECK(rows.size() > 300);
+    CHECK(contains(rows[0], "von_mises [Pa]"));
+    const double peak = std::stod(run("-q --get cells.2.stress.von_mises").out);
+    double largest = 0.0;
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        std::istringstream row(rows[i]);
+        std::string cell;
+        for (int k = 0; k < 5; ++k) std::getline(row, cell, ',');
+        largest = std::max(largest, std::stod(cell));
+    }
+    CHECK(largest == doctest::Approx(peak).epsilon(1e-3));
+    CHECK(run("--history way.csv --alpha 0,0.5").status == 2);
+}
+
+TEST_CASE("command: a soft cell and a stiff cell are carried to their limits") {
+    // Affine: the radial stretch of a cell that moves with the ink is sqrt(u_max/u_avg) = sqrt 2.
+    const json soft = json::parse(run("--shear-modulus 1Pa --alpha 0 --offset 0 --json").out);
+    CHECK(soft["cells"][2]["stretch"][1] == doctest::Approx(std::sqrt(2.0)).epsilon(1e-3));
+    // Linear: the stress of a stiff cell does not depend on its stiffness.
+    const double stiff =
+        std::stod(run("--shear-modulus 1e7 --alpha 0 --offset 0 -q --get cells.2.stress.von_mises").out);
+    const double stiffer =
+        std::stod(run("--shear-modulus 1e11 --alpha 0 --offset 0 -q --get cells.2.stress.von_mises").out);
+    CHECK(stiffer == doctest::Approx(stiff).epsilon(1e-3));
+}
+
 TEST_CASE("command: a simulation stands beside its prediction with difference and numerical error") {
     const Outcome outcome = run("--simulate=channel --fidelity draft --json");
     REQUIRE(outcome.status == 0);

@@ -12,12 +12,26 @@ using bioprint::testing::schema_violations;
 using nlohmann::json;
 
 TEST_CASE("command: every answer is valid under the schema it names") {
-    for (const char* call :
-         {"", "--alpha 0", "--alpha 0 --velocity 5cm/s", "--velocity 0", "--needle 25G",
-          "--needle 27G --tip tapered", "--length 12.7mm --pressure 2bar", "--profile 7", "--offset 0",
-          "--offset 20um,3Rc", "--ink alginate-2-25C", "--cell hela", "--cell-radius 45um",
-          "--viscosity-ratio 0 --shear-modulus 20", "--radius 6mm", "--model steady",
-          "--simulate=channel --fidelity draft", "--simulate=exit-flow --resolution 3"}) {
+    for (const char* call : {"",
+                             "--alpha 0",
+                             "--alpha 0 --velocity 5cm/s",
+                             "--velocity 0",
+                             "--needle 25G",
+                             "--needle 27G --tip tapered",
+                             "--length 12.7mm --pressure 2bar",
+                             "--profile 7",
+                             "--offset 0",
+                             "--offset 20um,3Rc",
+                             "--ink alginate-2-25C",
+                             "--cell hela",
+                             "--cell-radius 45um",
+                             "--viscosity-ratio 0 --shear-modulus 20",
+                             "--radius 6mm",
+                             "--model steady",
+                             "--population",
+                             "--population --length 1cm --threshold 1kPa",
+                             "--simulate=channel --fidelity draft",
+                             "--simulate=exit-flow --resolution 3"}) {
         CAPTURE(call);
         CHECK(schema_violations(json::parse(run(std::string(call) + " --json").out), "answer") == "");
     }

@@ -8,7 +8,8 @@ bioprint_bench(lattice3d SOURCES bench/lattice3d.cpp LINKS lattice PRIVATE OpenM
 bioprint_tests(lattice3d_exit
   SOURCES verify/d3q19_exit.cpp
   LINKS lattice flow
-  LABELS slow)
+  LABELS campaign)
+
 
 bioprint_tests(tetrahedra
   SOURCES unit/solid/tetra_solid.cpp
