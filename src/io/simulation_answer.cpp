@@ -179,7 +179,9 @@ void write(const Prediction& prediction, const Comparison& comparison, const Sim
     Json answer = answer_object(prediction);
     answer["simulation"] = simulation_object(comparison, question);
     for (const SimulationWarning& warning : comparison.run.warnings) {
-        answer["warnings"].push_back({{"code", warning.code}, {"message", warning.message}});
+        std::string code = warning.code;
+        std::replace(code.begin(), code.end(), '-', '_');
+        answer["warnings"].push_back({{"code", code}, {"message", warning.message}});
     }
     if (!options.paths.empty()) {
         for (const std::string& path : options.paths) sink(value_text(value_at(answer, path)) + "\n");
