@@ -22,14 +22,15 @@ Case paper_case() {
                     .law = {.eta0 = 10.0, .time_constant = 0.05, .alpha = 0.75}},
             .cell = {.name = "reference", .source = "", .radius = 8e-6, .shear_modulus = 1e3},
             .positions = {},
-            .needle = std::nullopt};
+            .needle = std::nullopt,
+            .transient = false};
 }
 
 /// Median of the time a call takes [µs], over runs of many calls each.
 template <class Call>
 double microseconds(const Call& call) {
     constexpr int runs = 15;
-    constexpr int calls = 4000;
+    constexpr int calls = 1000;
     std::vector<double> times;
     for (int run = 0; run < runs; ++run) {
         const auto begin = std::chrono::steady_clock::now();
@@ -60,6 +61,14 @@ int main() {
         question.drive_value = 5e-3 * (1.0 + 1e-5 * i);
         sum += predict(question).nozzle.stress_max;
     });
+    question = paper_case();
+    question.transient = true;
+    const double carried = microseconds([&](int i) {
+        question.drive_value = 5e-3 * (1.0 + 1e-5 * i);
+        sum += predict(question).nozzle.stress_max;
+    });
+    std::printf("the same with the ellipsoid in time       %7.2f us  %8.0f a second and core\n", carried,
+                1e6 / carried);
     std::printf("prediction, four positions, same ink      %7.2f us  %8.0f a second and core\n", radius,
                 1e6 / radius);
     std::printf("prediction, four positions, new ink       %7.2f us  %8.0f a second and core\n", ink,
