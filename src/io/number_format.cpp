@@ -150,7 +150,7 @@ std::string format_in(double value, const LabUnit& unit, int digits) {
         out.append("0.").append(static_cast<std::size_t>(-exponent) - 1, '0').append(mantissa);
         return out;
     }
-    const auto whole = static_cast<std::size_t>(exponent + 1);
+    const auto whole = static_cast<std::size_t>(exponent) + 1;
     if (mantissa.size() <= whole) {
         out.append(mantissa).append(whole - mantissa.size(), '0');
         return out;
