@@ -17,7 +17,7 @@ std::size_t width_of(std::string_view text) {
         text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
-std::string padded(std::string text, std::size_t width, bool left) {
+std::string padded(const std::string& text, std::size_t width, bool left) {
     const std::size_t own = width_of(text);
     const std::string space(width > own ? width - own : 0, ' ');
     return left ? text + space : space + text;
