@@ -238,7 +238,8 @@ void collect_simulation(const Raw& raw, Arguments& arguments, Problems& problems
         problems.collect([&] {
             value = parse_quantity(*text, dimension, option);
             if (!(*value > 0.0)) {
-                throw UsageError(std::string(option) + ": got '" + *text + "'; it takes a quantity above 0", option);
+                throw UsageError(std::string(option) + ": got '" + *text + "'; it takes a quantity above 0",
+                                 option);
             }
         });
     };

@@ -201,8 +201,8 @@ std::string simulation_table(const Comparison& comparison, const SimulationQuest
                         off ? format_lab(100.0 * *off, Dimension::dimensionless, 2).number + " %" : "–",
                         format_lab(100.0 * error, Dimension::dimensionless, 2).number + " %"});
     }
-    std::string text = "\n" + table_heading("Simulation: " + scene_title(run), style) +
-                       table_grid(rows, 1) + "  " +
+    std::string text = "\n" + table_heading("Simulation: " + scene_title(run), style) + table_grid(rows, 1) +
+                       "  " +
                        format_lab(run.lattice.nodes_per_cell_radius, Dimension::dimensionless, 3).number +
                        " nodes a cell radius (" + std::string(fidelity_name(question)) + "), " +
                        std::to_string(run.steps) + " steps in " + lab(run.wall_time, Dimension::time) + "\n";
@@ -304,15 +304,17 @@ ChosenScene choose_scene(const SimulationQuestion& question, const Prediction& p
         pick_position(positions, [&](double r) { return kind != SceneKind::shear || r > 0.0; });
     if (!position) {
         throw UsageError(
-            "--simulate: the shear scene takes the ink's stress at a position off the axis and this question has "
+            "--simulate: the shear scene takes the ink's stress at a position off the axis and this question "
+            "has "
             "none; add one to --offset, or give --fluid-stress",
             "--simulate");
     }
     chosen.scene.offset = *position;
     if (positions.size() > 1) {
-        chosen.remark = "simulated: the cell " +
-                        (*position == 0.0 ? std::string("on the axis") : in_micrometres(*position) + " off the axis") +
-                        "; --offset chooses another";
+        chosen.remark =
+            "simulated: the cell " +
+            (*position == 0.0 ? std::string("on the axis") : in_micrometres(*position) + " off the axis") +
+            "; --offset chooses another";
     }
     return chosen;
 }

@@ -75,12 +75,9 @@ EllipsoidState tank_treading(const Prediction& prediction, double fluid_stress, 
 
 Values predicted_tank_treading(const Prediction& prediction, const SimulationResult& run) {
     const EllipsoidState cell = tank_treading(prediction, run.fluid_stress, run.shear_rate);
-    return {{"von_mises", cell.von_mises},
-            {"stretch.0", cell.stretch[0]},
-            {"stretch.1", cell.stretch[1]},
-            {"stretch.2", cell.stretch[2]},
-            {"angle", cell.angle.value()},
-            {"frequency", cell.frequency.value()},
+    return {{"von_mises", cell.von_mises},  {"stretch.0", cell.stretch[0]},
+            {"stretch.1", cell.stretch[1]}, {"stretch.2", cell.stretch[2]},
+            {"angle", cell.angle.value()},  {"frequency", cell.frequency.value()},
             {"viscous", cell.viscous}};
 }
 
@@ -112,8 +109,8 @@ Values predicted_off_axis_channel(const Prediction& prediction, const Simulation
 
 Values predicted_off_axis_exit(const Prediction& prediction, const SimulationResult& run) {
     const Case& question = prediction.question;
-    Values values{{"relaxation_time", relaxation_time(viscosity(question.ink.law, 0.0),
-                                                      question.cell.shear_modulus, 1.0)}};
+    Values values{{"relaxation_time",
+                   relaxation_time(viscosity(question.ink.law, 0.0), question.cell.shear_modulus, 1.0)}};
     try {
         const StreamlinePassage passage = streamline_passage(
             flow_of(prediction), {.start_radius = run.offset, .shear_modulus = question.cell.shear_modulus});
@@ -131,7 +128,8 @@ Values predicted(const Prediction& prediction, const SimulationResult& run) {
         case SceneKind::exit_flow:
             return predicted_exit_flow(prediction);
         case SceneKind::channel:
-            return run.offset > 0.0 ? predicted_off_axis_channel(prediction, run) : predicted_channel(prediction);
+            return run.offset > 0.0 ? predicted_off_axis_channel(prediction, run)
+                                    : predicted_channel(prediction);
         case SceneKind::shear:
             return predicted_tank_treading(prediction, run);
         case SceneKind::exit:

@@ -15,7 +15,7 @@ std::optional<double> decay_time(const std::vector<double>& time, const std::vec
     const auto top = std::max_element(stress.begin(), stress.end());
     double n = 0.0, t = 0.0, y = 0.0, tt = 0.0, ty = 0.0;
     for (auto s = top; s != stress.end(); ++s) {
-        if (*s < fit_from * *top && *s > fit_to * *top) {
+        if (*s<fit_from* * top&& * s> fit_to * *top) {
             const double log_stress = std::log(*s);
             const double at = time[static_cast<std::size_t>(s - stress.begin())];
             n += 1.0;

@@ -58,8 +58,9 @@ class Channel {
                 sample();
                 ended = is_over();
                 setup_.watch.keep_state("channel", ended, [this] { return record(); });
-                if (!setup_.watch.goes_on("channel", ended ? 1.0 : static_cast<double>(result_.steps) / total_)) {
-                    result_.stopped = "cancelled";
+                if (!setup_.watch.goes_on("channel",
+                                          ended ? 1.0 : static_cast<double>(result_.steps) / total_)) {
+                    result_.stopped = cancelled_run;
                 }
             }
         } catch (const NotConverged& e) {
@@ -155,7 +156,8 @@ class Channel {
         for (std::size_t i = n - 1 - samples_a_window; i < n; ++i) {
             const OffsetChannelSample& s = result_.series[i];
             // Near the axis the ink's stress at the centre is not what loads the cell.
-            const double share = s.von_mises / std::max(s.fluid_stress, 0.5 * s.pressure_gradient * setup_.cell_radius);
+            const double share =
+                s.von_mises / std::max(s.fluid_stress, 0.5 * s.pressure_gradient * setup_.cell_radius);
             least = std::min(least, share);
             most = std::max(most, share);
         }
@@ -197,8 +199,9 @@ class Channel {
         r.put(before_);
         r.put(static_cast<double>(result_.series.size()));
         for (const OffsetChannelSample& s : result_.series) {
-            for (const double value : {s.time, s.path, s.offset, s.velocity, s.von_mises, s.fluid_stress, s.angle,
-                                       s.frequency, s.viscous, s.volume, s.pressure_gradient, s.migration}) {
+            for (const double value :
+                 {s.time, s.path, s.offset, s.velocity, s.von_mises, s.fluid_stress, s.angle, s.frequency,
+                  s.viscous, s.volume, s.pressure_gradient, s.migration}) {
                 r.put(value);
             }
             r.put(s.stretch);
@@ -214,8 +217,9 @@ class Channel {
         before_ = r.next_three();
         for (auto n = static_cast<long>(r.next()); n > 0; --n) {
             OffsetChannelSample s{};
-            for (double* value : {&s.time, &s.path, &s.offset, &s.velocity, &s.von_mises, &s.fluid_stress, &s.angle,
-                                  &s.frequency, &s.viscous, &s.volume, &s.pressure_gradient, &s.migration}) {
+            for (double* value :
+                 {&s.time, &s.path, &s.offset, &s.velocity, &s.von_mises, &s.fluid_stress, &s.angle,
+                  &s.frequency, &s.viscous, &s.volume, &s.pressure_gradient, &s.migration}) {
                 *value = r.next();
             }
             s.stretch = r.next_three();

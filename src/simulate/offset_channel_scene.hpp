@@ -29,7 +29,8 @@ struct OffsetChannelSetup {
     double shear_modulus;     ///< of the cell [Pa]
     double offset;            ///< of the cell's centre at the start [m]
     double duration;          ///< at most [s]
-    double settle_tolerance = 0.0;  ///< spread of that stress which counts as none; 0: the whole duration runs
+    double settle_tolerance =
+        0.0;  ///< spread of that stress which counts as none; 0: the whole duration runs
     bool hold_offset = false;
     OffsetDrive drive = OffsetDrive::constant_gradient;
     double nodes = 6.0;         ///< cell radius, in lattice nodes
@@ -55,7 +56,7 @@ struct OffsetChannelSample {
     double viscous;                 ///< viscous shear stress in the ellipsoid's axes, from the lattice [Pa]
     double volume;                  ///< over the rest volume
     double pressure_gradient;       ///< [Pa/m]
-    double migration;               ///< velocity of the centre away from the axis since the sample before [m/s]
+    double migration;  ///< velocity of the centre away from the axis since the sample before [m/s]
 };
 
 /// How a scene with a cell beside the axis was resolved.

@@ -53,8 +53,9 @@ class Passage {
           flow_(NozzleFlow::from_velocity(setup.ink, setup.radius, setup.velocity_average)),
           lu_(offset_units({setup.cell_radius, setup.shear_modulus, setup.nodes}, flow_)),
           radius_(setup.radius / lu_.spacing),
-          lip_(stage == Stage::exit ? static_cast<int>(std::lround((margin_before + setup.approach) * radius_))
-                                    : 0),
+          lip_(stage == Stage::exit
+                   ? static_cast<int>(std::lround((margin_before + setup.approach) * radius_))
+                   : 0),
           lattice_(lattice_setup()),
           cell_({.radius = setup.nodes,
                  .spacing = setup.mesh_spacing,
@@ -99,7 +100,7 @@ class Passage {
             before = peak;
             const double near = std::clamp(std::log(change) / std::log(rest_tolerance), 0.0, 1.0);
             if (!setup_.watch.goes_on("flow", still == 3 ? 1.0 : 0.9 * near)) {
-                result.stopped = "cancelled";
+                result.stopped = cancelled_run;
                 return;
             }
         }
@@ -117,9 +118,11 @@ class Passage {
         // The cell's way past the lip takes some hundreds of samples, its relaxing as many.
         const double path = (setup_.approach + setup_.travel) * radius_;
         const double crossing = path * lu_.spacing / (setup_.velocity_average * lu_.time);
-        const long stride = std::max<long>(2, static_cast<long>(crossing / std::max(setup_.samples, 1)) / 2 * 2);
+        const long stride =
+            std::max<long>(2, static_cast<long>(crossing / std::max(setup_.samples, 1)) / 2 * 2);
         const double farthest = stage_ == Stage::exit ? setup_.approach + setup_.travel : longest_strand;
-        const auto most = static_cast<long>(farthest * setup_.radius / (slowest * setup_.velocity_average * lu_.time));
+        const auto most =
+            static_cast<long>(farthest * setup_.radius / (slowest * setup_.velocity_average * lu_.time));
         bool ended = done_ > 0 && enough(result.series.back());
         while (!ended && result.stopped.empty() && done_ < most) {
             for (long i = 0; i < stride; ++i) {
@@ -133,7 +136,7 @@ class Passage {
             ended = enough(result.series.back());
             setup_.watch.keep_state(name_, ended, [&] { return record(result); });
             if (!setup_.watch.goes_on(name_, ended ? 1.0 : fraction(result.series.back()))) {
-                result.stopped = "cancelled";
+                result.stopped = cancelled_run;
             }
         }
         result.complete = ended;
@@ -153,7 +156,8 @@ class Passage {
     [[nodiscard]] double lip() const { return lip_; }
     [[nodiscard]] double spacing() const { return lu_.spacing; }
     [[nodiscard]] OffsetLattice report() const {
-        return lattice_report(lu_, flow_, {setup_.cell_radius, setup_.shear_modulus, setup_.nodes}, lattice_.nx());
+        return lattice_report(lu_, flow_, {setup_.cell_radius, setup_.shear_modulus, setup_.nodes},
+                              lattice_.nx());
     }
 
   private:
@@ -161,7 +165,8 @@ class Passage {
 
     D3q19Setup lattice_setup() const {
         const bool exit = stage_ == Stage::exit;
-        const double wanted = exit ? lip_ + (setup_.travel + margin_behind) * radius_ : strand_length * radius_;
+        const double wanted =
+            exit ? lip_ + (setup_.travel + margin_behind) * radius_ : strand_length * radius_;
         const int nx = static_cast<int>(std::ceil(wanted / 16.0)) * 16;
         D3q19Setup setup{.nx = nx,
                          .section = tube(radius_, true),
@@ -242,8 +247,8 @@ class Passage {
         r.put(result.flow_steady ? 1.0 : 0.0);
         r.put(static_cast<double>(result.series.size()));
         for (const OffsetExitSample& s : result.series) {
-            for (const double value :
-                 {s.time, s.position, s.offset, s.von_mises, s.axial, s.radial, s.angle, s.viscous, s.volume}) {
+            for (const double value : {s.time, s.position, s.offset, s.von_mises, s.axial, s.radial, s.angle,
+                                       s.viscous, s.volume}) {
                 r.put(value);
             }
             r.put(s.stretch);
@@ -262,8 +267,8 @@ class Passage {
         result.series.clear();
         for (auto n = static_cast<long>(r.next()); n > 0; --n) {
             OffsetExitSample s{};
-            for (double* value : {&s.time, &s.position, &s.offset, &s.von_mises, &s.axial, &s.radial, &s.angle,
-                                  &s.viscous, &s.volume}) {
+            for (double* value : {&s.time, &s.position, &s.offset, &s.von_mises, &s.axial, &s.radial,
+                                  &s.angle, &s.viscous, &s.volume}) {
                 *value = r.next();
             }
             s.stretch = r.next_three();
@@ -319,8 +324,8 @@ void run(const OffsetExitSetup& setup, OffsetExitResult& result) {
     };
     if (result.stopped.empty()) {
         exit.carry(
-            result, -exit.lip() * exit.spacing(), [&](const OffsetExitSample& s) { return fraction(s) >= 1.0; },
-            fraction);
+            result, -exit.lip() * exit.spacing(),
+            [&](const OffsetExitSample& s) { return fraction(s) >= 1.0; }, fraction);
     }
     if (result.complete && setup.relax && result.series.back().von_mises >= relaxed * result.peak_von_mises) {
         relax(setup, exit, result);

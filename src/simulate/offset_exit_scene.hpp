@@ -18,17 +18,17 @@ namespace bioprint {
 
 struct OffsetExitSetup {
     CrossInk ink;
-    double radius;            ///< of the nozzle [m]
-    double velocity_average;  ///< [m/s]
-    double cell_radius;       ///< [m]
-    double shear_modulus;     ///< of the cell [Pa]
-    double offset;            ///< of the cell's centre where it starts in the long nozzle [m]
-    double settle = 0.05;     ///< time in the long nozzle, at most [s]
+    double radius;                  ///< of the nozzle [m]
+    double velocity_average;        ///< [m/s]
+    double cell_radius;             ///< [m]
+    double shear_modulus;           ///< of the cell [Pa]
+    double offset;                  ///< of the cell's centre where it starts in the long nozzle [m]
+    double settle = 0.05;           ///< time in the long nozzle, at most [s]
     double settle_tolerance = 0.0;  ///< as in the channel scene
-    double approach = 1.5;    ///< [radii]
-    double travel = 2.5;      ///< [radii]
-    bool relax = true;        ///< go on in the strand
-    double nodes = 6.0;       ///< cell radius, in lattice nodes
+    double approach = 1.5;          ///< [radii]
+    double travel = 2.5;            ///< [radii]
+    bool relax = true;              ///< go on in the strand
+    double nodes = 6.0;             ///< cell radius, in lattice nodes
     double mesh_spacing = 2.0;
     bool single = true;  ///< fluid in single precision
     int samples = 200;
@@ -57,8 +57,9 @@ struct OffsetExitResult {
     double peak_position;         ///< behind the lip [m]
     double axial_min;             ///< least width along the nozzle over that at rest
     double radial_max;
-    std::optional<double> relaxation_time;  ///< [s]; none when the stress did not fall to a twentieth of its peak
-    bool flow_steady;                       ///< the flow without the cell had come to rest
+    std::optional<double>
+        relaxation_time;  ///< [s]; none when the stress did not fall to a twentieth of its peak
+    bool flow_steady;     ///< the flow without the cell had come to rest
     bool complete;
     std::string stopped;    ///< why it is not complete
     OffsetLattice lattice;  ///< of the exit

@@ -83,7 +83,7 @@ class ShearRun {
                 ended = is_over();
                 setup_.watch.keep_state("shear", ended, [this] { return record(); });
                 if (!setup_.watch.goes_on("shear", ended ? 1.0 : fraction())) {
-                    result_.stopped = "cancelled";
+                    result_.stopped = cancelled_run;
                 }
             }
         } catch (const NotConverged& e) {

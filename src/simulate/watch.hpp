@@ -9,6 +9,8 @@
 /// What a scene in three dimensions shares with whoever runs it.
 namespace bioprint {
 
+inline constexpr const char* cancelled_run = "the simulation was cancelled";
+
 /// A scene calls both at every sample, between two whole steps of its lattice, so that a state kept there is
 /// all it needs to go on to the same numbers.
 struct SceneWatch {

@@ -47,7 +47,7 @@ struct Scene {
     double velocity_average;  ///< [m/s]
     SimulatedCell cell{};     ///< not read by exit_flow, whose nozzle gets 6.25 times the resolution
     ChannelDrive drive = ChannelDrive::flow_rate;
-    double offset = 0.0;        ///< of the cell's centre from the axis [m]: above 0, channel and exit in space
+    double offset = 0.0;  ///< of the cell's centre from the axis [m]: above 0, channel and exit in space
     double fluid_stress = 0.0;  ///< of the undisturbed ink [Pa]; read by shear alone
 };
 
