@@ -107,13 +107,37 @@ Values predicted_off_axis_channel(const Prediction& prediction, const Simulation
     return values;
 }
 
+/// Where the simulated passage and the streamline's begin to count, in radii from the lip.
+constexpr double exit_begins = -1.5;
+
+double axial_width(const StreamlineState& s) {
+    return std::hypot(s.stretch[0] * std::cos(s.angle), s.stretch[1] * std::sin(s.angle));
+}
+
+double radial_width(const StreamlineState& s) {
+    return std::hypot(s.stretch[0] * std::sin(s.angle), s.stretch[1] * std::cos(s.angle));
+}
+
 Values predicted_off_axis_exit(const Prediction& prediction, const SimulationResult& run) {
     const Case& question = prediction.question;
     Values values{{"relaxation_time",
                    relaxation_time(viscosity(question.ink.law, 0.0), question.cell.shear_modulus, 1.0)}};
     try {
-        const StreamlinePassage passage = streamline_passage(
-            flow_of(prediction), {.start_radius = run.offset, .shear_modulus = question.cell.shear_modulus});
+        double shortest = 1.0;
+        double widest = 1.0;
+        const StreamlinePassage passage =
+            streamline_passage(flow_of(prediction),
+                               {.start_radius = run.offset,
+                                .shear_modulus = question.cell.shear_modulus,
+                                .cell_radius = question.cell.radius,
+                                .observe_every = 0.02 * question.radius},
+                               [&](const StreamlineState& s) {
+                                   if (s.position < exit_begins * question.radius) return;
+                                   shortest = std::min(shortest, axial_width(s));
+                                   widest = std::max(widest, radial_width(s));
+                               });
+        values["stretch_axial_min"] = shortest;
+        values["stretch_radial_max"] = widest;
         values["von_mises_channel"] = passage.nozzle_steady;
         values["von_mises_peak"] = passage.exit_peak;
         values["peak_position"] = passage.exit_position;
