@@ -154,6 +154,8 @@ class Passage {
 std::optional<double> relaxation_time(const std::vector<Sample>& samples) {
     std::vector<double> time;
     std::vector<double> stress;
+    time.reserve(samples.size());
+    stress.reserve(samples.size());
     for (const Sample& s : samples) {
         time.push_back(s.time);
         stress.push_back(s.stress);

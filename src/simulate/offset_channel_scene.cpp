@@ -13,7 +13,7 @@ namespace bioprint {
 
 namespace {
 
-constexpr int samples_a_window = 8;  ///< of settling
+constexpr std::size_t samples_a_window = 8;  ///< of settling
 
 void check(const OffsetChannelSetup& setup) {
     const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
@@ -111,7 +111,8 @@ class Channel {
         const double response = std::min(2.5 * eta / setup_.shear_modulus, rate > 0.0 ? 2.0 / rate : 1e30);
         const long window = std::lround(2.0 * response / lu_.time);
         const bool settles = setup_.settle_tolerance > 0.0;
-        const long stride = settles ? window / samples_a_window : total_ / std::max(setup_.samples, 1);
+        const long stride =
+            settles ? window / static_cast<long>(samples_a_window) : total_ / std::max(setup_.samples, 1);
         stride_ = std::max<long>(2, stride / 2 * 2);
         const double viscous_time = radius_ * radius_ / (5.8 * lu_.nu0);
         gain_ = std::min(0.2, stride_ / (4.0 * viscous_time));

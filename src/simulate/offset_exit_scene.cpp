@@ -68,6 +68,7 @@ class Passage {
     /// Puts the cell's nodes, given about its centre in cell radii, in at a place along x and an offset [m].
     void place(const std::vector<std::array<double, 3>>& shape, double x, double offset) {
         std::vector<Vector3> positions;
+        positions.reserve(shape.size());
         for (const auto& p : shape) {
             positions.push_back(
                 {x + p[0] * setup_.nodes, offset / lu_.spacing + p[1] * setup_.nodes, p[2] * setup_.nodes});
@@ -146,6 +147,7 @@ class Passage {
     [[nodiscard]] std::vector<std::array<double, 3>> shape() const {
         const Vector3 centre = cell_.state().ellipsoid.centre;
         std::vector<std::array<double, 3>> shape;
+        shape.reserve(cell_.positions().size());
         for (const Vector3& p : cell_.positions()) {
             shape.push_back(
                 {(p[0] - centre[0]) / setup_.nodes, (p[1] - centre[1]) / setup_.nodes, p[2] / setup_.nodes});
@@ -365,6 +367,8 @@ OffsetExitResult run_offset_exit(const OffsetExitSetup& setup) {
     }
     std::vector<double> time;
     std::vector<double> stress;
+    time.reserve(result.series.size());
+    stress.reserve(result.series.size());
     for (const OffsetExitSample& s : result.series) {
         time.push_back(s.time);
         stress.push_back(s.von_mises);
