@@ -212,12 +212,8 @@ std::string simulation_table(const Comparison& comparison, const SimulationQuest
     return text;
 }
 
-void write(const Prediction& prediction, const Comparison& comparison, const SimulationQuestion& question,
-           const RunOptions& options, const Sink& sink) {
-    if (options.format == Format::table && options.paths.empty()) {
-        return sink(answer_table(prediction, options.style) +
-                    simulation_table(comparison, question, options.style));
-    }
+Json simulated_answer(const Prediction& prediction, const Comparison& comparison,
+                      const SimulationQuestion& question) {
     Json answer = answer_object(prediction);
     answer["simulation"] = simulation_object(comparison, question);
     for (const SimulationWarning& warning : comparison.run.warnings) {
@@ -225,6 +221,16 @@ void write(const Prediction& prediction, const Comparison& comparison, const Sim
         std::replace(code.begin(), code.end(), '-', '_');
         answer["warnings"].push_back({{"code", code}, {"message", warning.message}});
     }
+    return answer;
+}
+
+void write(const Prediction& prediction, const Comparison& comparison, const SimulationQuestion& question,
+           const RunOptions& options, const Sink& sink) {
+    if (options.format == Format::table && options.paths.empty()) {
+        return sink(answer_table(prediction, options.style) +
+                    simulation_table(comparison, question, options.style));
+    }
+    const Json answer = simulated_answer(prediction, comparison, question);
     if (!options.paths.empty()) {
         for (const std::string& path : options.paths) sink(value_text(value_at(answer, path)) + "\n");
         return;
@@ -333,7 +339,8 @@ double resolution_of(const SimulationQuestion& question) {
 }
 
 void answer_with_simulation(const Settings& settings, const SimulationQuestion& question,
-                            const RunOptions& options, SimulationOptions simulation, const Sink& sink) {
+                            const RunOptions& options, SimulationOptions simulation, const Sink& sink,
+                            SimulationFiles* files) {
     if (options.format == Format::csv) {
         throw UsageError("--format: a simulation is answered as table, json or jsonl", "--format");
     }
@@ -346,19 +353,25 @@ void answer_with_simulation(const Settings& settings, const SimulationQuestion& 
     }
     simulation.resolution = resolution_of(question);
     simulation.channel_time = question.channel_time.value_or(0.0);
-    const auto tell = [&](Comparison comparison) {
+    const auto remarked = [&](Comparison comparison) {
         if (!chosen.remark.empty()) {
             comparison.run.warnings.push_back({.code = "simulated-position", .message = chosen.remark});
         }
-        write(prediction, comparison, question, options, sink);
+        return comparison;
     };
+    if (files != nullptr) files->attach(simulation);
     try {
-        const Comparison comparison = compare_with_simulation(prediction, chosen.scene, simulation);
+        const Comparison comparison = remarked(compare_with_simulation(prediction, chosen.scene, simulation));
         const std::string failure = breakdown(comparison.run);
         if (!failure.empty()) throw SimulationIncomplete(failure, comparison.run);
-        tell(comparison);
+        if (files != nullptr) {
+            files->write_series(comparison.run.series);
+            files->write_answer(json_text(simulated_answer(prediction, comparison, question), 2) + "\n");
+        }
+        write(prediction, comparison, question, options, sink);
     } catch (const SimulationIncomplete& e) {
-        tell(compare(prediction, e.result()));
+        if (files != nullptr) files->write_series(e.result().series);
+        write(prediction, remarked(compare(prediction, e.result())), question, options, sink);
         throw;
     }
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <numeric>
@@ -388,11 +387,11 @@ bool needs_space(const Scene& scene) {
     return scene.kind == SceneKind::shear || (scene.kind != SceneKind::exit_flow && scene.offset > 0.0);
 }
 
-SimulationResult simulate_in_space(const Scene& scene, const SimulationOptions& options, Keeper& keeper) {
-    const auto begin = std::chrono::steady_clock::now();
+SimulationResult simulate_in_space(const Scene& scene, const SimulationOptions& options) {
     const double nodes = options.resolution;
     check_size(scene, nodes);
     const double coarse_nodes = 0.5 * nodes;
+    Keeper keeper(scene, options);
     RunLog fine(options, keeper, "fine ", true);
     const auto run = [&](double resolution, RunLog& log) {
         run_scene({.scene = scene,
@@ -413,15 +412,19 @@ SimulationResult simulate_in_space(const Scene& scene, const SimulationOptions& 
         try {
             run(coarse_nodes, coarse);
         } catch (const SimulationIncomplete&) {
-            compared = false;  // cancelled, or too coarse for this cell: what the fine run found stands
+            compared = false;  // too coarse for this cell, or cancelled: what the fine run found stands
         }
     }
-    SimulationResult result = std::move(fine.result);
     if (options.estimate_error) {
-        estimate_errors(result, compared ? &coarse.result : nullptr, scene, nodes);
+        estimate_errors(fine.result, compared ? &coarse.result : nullptr, scene, nodes);
     }
+    if (coarse.cancelled() && !compared && coarse.updates > 0.0) {
+        fine.stop(cancelled_run);
+    }
+    SimulationResult result = std::move(fine.result);
     result.steps += coarse.result.steps;
-    result.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    keeper.close();
+    result.wall_time = keeper.elapsed();
     result.updates_per_second = (fine.updates + coarse.updates) / result.wall_time;
     return result;
 }

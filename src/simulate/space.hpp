@@ -1,7 +1,6 @@
 #pragma once
 
 #include "bioprint/simulate/simulation.hpp"
-#include "simulate/keeper.hpp"
 
 /// The scenes that need three dimensions, behind the one face of simulation.hpp.
 namespace bioprint {
@@ -11,6 +10,6 @@ bool needs_space(const Scene& scene);
 
 /// Runs such a scene at the resolution asked for and, where it can carry a cell, at half of it.
 /// @throws UsageError, SimulationIncomplete  as simulate()
-SimulationResult simulate_in_space(const Scene& scene, const SimulationOptions& options, Keeper& keeper);
+SimulationResult simulate_in_space(const Scene& scene, const SimulationOptions& options);
 
 }  // namespace bioprint
