@@ -6,3 +6,8 @@ bioprint_tests(simulate_space
 # Speed of whole scenes beside the bandwidth bound.
 find_package(OpenMP REQUIRED)
 bioprint_bench(scene_speed SOURCES bench/scene_speed.cpp LINKS simulate lattice PRIVATE OpenMP::OpenMP_CXX)
+
+bioprint_tests(simulate_space_values
+  SOURCES verify/space_simulation.cpp
+  LINKS simulate
+  LABELS slow)
