@@ -267,19 +267,19 @@ double nozzle_stress(const Prediction& prediction) {
     return largest;
 }
 
-/// The largest stress at the exit by the better model: carried in time where that was asked for, else steady.
+/// The stress at the exit of the cell nearest to the axis by the better model: carried in time where that was
+/// asked for, else steady. Further out a cell's stress at the exit is mostly what the nozzle left in it.
 std::optional<double> exit_stress(const Prediction& prediction) {
-    std::optional<double> carried;
-    std::optional<double> steady;
-    bool follows = false;
+    const CellAnswer* best = nullptr;
     for (const CellAnswer& cell : prediction.cells) {
         if (cell.place != Place::exit) continue;
-        follows = follows || cell.model == Model::ellipsoid;
-        if (!cell.stress) continue;
-        std::optional<double>& stress = cell.model == Model::ellipsoid ? carried : steady;
-        stress = std::max(stress.value_or(0.0), cell.stress->von_mises);
+        if (best == nullptr || cell.offset < best->offset ||
+            (cell.offset == best->offset && cell.model == Model::ellipsoid)) {
+            best = &cell;
+        }
     }
-    return follows ? carried : steady;
+    if (best == nullptr || !best->stress) return std::nullopt;
+    return best->stress->von_mises;
 }
 
 }  // namespace
