@@ -8,7 +8,8 @@
 namespace bioprint {
 namespace {
 
-constexpr std::array<Rung, 5> all_rungs{Rung::steady, Rung::ellipsoid, Rung::draft, Rung::standard, Rung::fine};
+constexpr std::array<Rung, 5> all_rungs{Rung::steady, Rung::ellipsoid, Rung::draft, Rung::standard,
+                                        Rung::fine};
 
 RungVerdict verdict(Rung rung, const RungRequest& request) {
     RungVerdict v{.rung = rung,

@@ -99,7 +99,8 @@ Json run_simulation(const Question& question, double resolution) {
         bool broken = !std::isfinite(judged.value) || judged.value <= 0.0;
         for (const auto& warning : comparison.run.warnings) {
             result["warnings"].push_back(warning.code);
-            broken = broken || warning.code == "distorted-elements";  // the command gives no such answer either
+            broken =
+                broken || warning.code == "distorted-elements";  // the command gives no such answer either
         }
         if (broken) {
             result["value"] = nullptr;
