@@ -53,6 +53,7 @@ struct CellAnswer {
     std::optional<double> frequency;  ///< of tank treading [1/s]
     std::optional<CellStress> stress;
     std::optional<double> relaxation_time;  ///< in the strand [s]; exit only
+    std::optional<double> error = {};  ///< of the von Mises stress, relative, as measured (ladder.hpp); none: not known
 };
 
 struct RadialProfile {
