@@ -31,7 +31,7 @@ Rung present_rung(const Arguments& arguments) {
     if (arguments.simulation) return rung_of(*arguments.simulation);
     const Settings& settings = arguments.sweep.fixed();
     return settings.has(Key::model) && settings.at(Key::model).text == "steady" ? Rung::steady
-                                                                               : Rung::ellipsoid;
+                                                                                : Rung::ellipsoid;
 }
 
 }  // namespace
@@ -49,7 +49,8 @@ void add_ladder_options(CLI::App& app, RawLadder& raw) {
     app.add_flag("--explain", raw.explain,
                  "say which model answers and why, and what the others would cost and gain")
         ->group(group);
-    app.add_flag("--dry-run", raw.dry_run, "answer nothing; say how many rows, by which model, time and memory")
+    app.add_flag("--dry-run", raw.dry_run,
+                 "answer nothing; say how many rows, by which model, time and memory")
         ->group(group);
 }
 
@@ -76,8 +77,9 @@ void collect_ladder(const RawLadder& raw, Arguments& arguments, Problems& proble
         problems.add(std::string(name) + ": chooses the model; leave out --model", name);
     }
     if ((raw.tolerance || raw.budget) && arguments.long_run) {
-        problems.add(std::string(name) + ": chooses the resolution, and a run in a directory keeps its own; "
-                                         "give --fidelity with --out",
+        problems.add(std::string(name) +
+                         ": chooses the resolution, and a run in a directory keeps its own; "
+                         "give --fidelity with --out",
                      name);
     }
     arguments.ladder = question;

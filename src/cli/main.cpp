@@ -18,6 +18,7 @@
 #include "cli/arguments.hpp"
 #include "cli/ladder_options.hpp"
 #include "io/batch.hpp"
+#include "io/dry_run.hpp"
 #include "io/history.hpp"
 #include "io/preset_list.hpp"
 #include "io/reference_report.hpp"
@@ -161,6 +162,15 @@ int run(Arguments arguments) {
     }
     RunOptions options = run_options(arguments);
     if (arguments.ladder) options.ladder = take_rung(arguments);
+    if (arguments.dry_run) {
+        sink(dry_run({.sweep = arguments.sweep,
+                      .batch = arguments.batch,
+                      .simulation = arguments.simulation,
+                      .ladder = options.ladder,
+                      .jobs = options.jobs}));
+        output.commit();
+        return 0;
+    }
     if (arguments.history) {
         WholeFile history(*arguments.history);
         history.write(history_csv(arguments.sweep.fixed()));

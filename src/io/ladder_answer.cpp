@@ -68,8 +68,8 @@ std::string softness(double load) {
 
 std::string reason(const LadderAnswer& answer) {
     const auto& ladder = answer.choice.ladder;
-    const auto chosen =
-        std::find_if(ladder.begin(), ladder.end(), [&](const auto& v) { return v.rung == answer.choice.rung; });
+    const auto chosen = std::find_if(ladder.begin(), ladder.end(),
+                                     [&](const auto& v) { return v.rung == answer.choice.rung; });
     std::string text = std::string(name_of(chosen->rung)) + ": measured error " + percent(chosen->error);
     if (answer.request.tolerance) {
         text += answer.choice.met ? ", the cheapest within " + percent(answer.request.tolerance)
@@ -144,7 +144,8 @@ std::string ladder_section(const LadderAnswer& answer, TableStyle style) {
                         v.rung == answer.choice.rung ? "← taken" : ""});
     }
     const std::string question = "Models for " + std::string(name_of(answer.request.kind)) + ", a " +
-                                 softness(answer.request.load) + " cell: largest error measured, processor time";
+                                 softness(answer.request.load) +
+                                 " cell: largest error measured, processor time";
     return "\n" + table_heading(question, style) + table_grid(rows, 1) + "  " + reason(answer) + "\n";
 }
 
