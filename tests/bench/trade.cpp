@@ -21,7 +21,7 @@
 // against the finest run there is. Results are merged into one file, question by question, so that a long
 // measurement can be stopped and taken up again.
 //
-//   bench_trade FILE [--kind NAME]… [--rung NAME]… [--missing] [--longest SECONDS]
+//   bench_trade [FILE] [--kind NAME]… [--rung NAME]… [--missing] [--longest SECONDS]
 //
 // --missing keeps what FILE already holds; --longest skips a rung whose next cheaper one took so long that it
 // would pass SECONDS.
@@ -33,7 +33,7 @@ using namespace bioprint::trade;
 using Json = nlohmann::ordered_json;
 
 struct Options {
-    std::string file;
+    std::string file = BIOPRINT_SOURCE_DIR "/data/trade.json";
     std::vector<std::string> kinds, rungs;
     bool missing = false;
     double longest = 1e9;
@@ -238,10 +238,6 @@ void measure(const Options& options, Json& data) {
 
 int main(int count, char** arguments) {
     const Options options = parse(count, arguments);
-    if (options.file.empty()) {
-        std::puts("bench_trade FILE [--kind NAME]... [--rung NAME]... [--missing] [--longest SECONDS]");
-        return 2;
-    }
     Json data{{"schema", "bioprint-predict/trade/1"}, {"questions", Json::array()}};
     if (std::ifstream old(options.file); old) data = Json::parse(old);
     describe(data);
