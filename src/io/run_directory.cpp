@@ -153,7 +153,10 @@ TypedQuestion lasting_question_in(const std::string& directory) {
 RunDirectory::RunDirectory(std::string path, bool made) : path_(std::move(path)), made_(made) {}
 
 RunDirectory::RunDirectory(RunDirectory&& other) noexcept
-    : path_(other.path_), made_(other.made_), new_(other.new_), lock_(std::exchange(other.lock_, -1)) {}
+    : path_(std::move(other.path_)),
+      made_(other.made_),
+      new_(other.new_),
+      lock_(std::exchange(other.lock_, -1)) {}
 
 RunDirectory::~RunDirectory() {
     if (lock_ >= 0) ::close(lock_);
@@ -229,8 +232,10 @@ std::optional<CheckpointParts> RunDirectory::checkpoint() const {
     return read_checkpoint(file(checkpoint_file));
 }
 
-void RunDirectory::keep(const CheckpointParts& parts) {
-    write_checkpoint(file(checkpoint_file), parts);
+void RunDirectory::keep(const CheckpointParts& parts, const CheckpointParts& more) {
+    // What the checkpoint takes as done must be on the disk before it.
+    if (::syncfs(lock_) != 0) throw DataError(path_ + ": cannot be written: " + reason(errno));
+    write_checkpoint(file(checkpoint_file), parts, more);
     new_ = false;
 }
 

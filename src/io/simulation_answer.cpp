@@ -259,7 +259,7 @@ void answer_with_simulation(const Settings& settings, const SimulationQuestion& 
             "--viscosity-ratio");
     }
     simulation.resolution = resolution_of(question);
-    if (files != nullptr) files->attach(simulation);
+    if (files != nullptr) files->attach(simulation, question.snapshots);
     try {
         const Comparison comparison = compare_with_simulation(prediction, scene, simulation);
         const std::string failure = breakdown(comparison.run);
