@@ -233,8 +233,6 @@ std::optional<CheckpointParts> RunDirectory::checkpoint() const {
 }
 
 void RunDirectory::keep(const CheckpointParts& parts, const CheckpointParts& more) {
-    // What the checkpoint takes as done must be on the disk before it.
-    if (::syncfs(lock_) != 0) throw DataError(path_ + ": cannot be written: " + reason(errno));
     write_checkpoint(file(checkpoint_file), parts, more);
     new_ = false;
 }

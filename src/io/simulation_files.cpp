@@ -1,5 +1,6 @@
 #include "io/simulation_files.hpp"
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -40,6 +41,7 @@ SimulationFiles::SimulationFiles(RunDirectory& directory, double interval)
 void SimulationFiles::attach(SimulationOptions& options, int snapshots) {
     options.checkpoint = [this](const SimulationState& state) {
         const std::lock_guard guard(lock_);
+        sync_pictures();
         directory_.keep(state.parts, {{pictures_part, times_}});
     };
     options.checkpoint_interval = interval_;
@@ -59,12 +61,28 @@ void SimulationFiles::write_picture(const SimulationSnapshot& snapshot) {
         throw DataError(folder + ": cannot be made: " + std::generic_category().message(errno));
     }
     const auto index = static_cast<std::size_t>(snapshot.index);
-    if (snapshot.cell) write(frame("cell", index, "vtu"), vtu_text(*snapshot.cell), WholeFile::Sync::none);
-    if (snapshot.flow) write(frame("flow", index, "vti"), vti_text(*snapshot.flow), WholeFile::Sync::none);
+    if (snapshot.cell) write_frame(frame("cell", index, "vtu"), vtu_text(*snapshot.cell));
+    if (snapshot.flow) write_frame(frame("flow", index, "vti"), vti_text(*snapshot.flow));
     // A run that goes on makes its last pictures again: the same ones in the same places.
     times_.resize(std::max(times_.size(), index + 1));
     times_[index] = snapshot.time;
     write_timelines(WholeFile::Sync::none);
+}
+
+void SimulationFiles::write_frame(const std::string& name, const std::string& text) {
+    write(name, text, WholeFile::Sync::none);
+    unsynced_.push_back(name);
+}
+
+/// What a checkpoint counts must be on the disk before it.
+void SimulationFiles::sync_pictures() {
+    for (const std::string& name : unsynced_) {
+        const int file = ::open(directory_.file(name).c_str(), O_RDONLY | O_CLOEXEC);
+        if (file < 0) continue;
+        ::fsync(file);
+        ::close(file);
+    }
+    unsynced_.clear();
 }
 
 void SimulationFiles::write_timelines(WholeFile::Sync sync) const {
@@ -89,7 +107,8 @@ void SimulationFiles::write_series(const SimulationSeries& series) const {
     write("series.csv", writer.text());
 }
 
-void SimulationFiles::write_answer(const std::string& json) const {
+void SimulationFiles::write_answer(const std::string& json) {
+    sync_pictures();
     write_timelines(WholeFile::Sync::disk);
     write("answer.json", json);
 }

@@ -29,20 +29,23 @@ class SimulationFiles {
     void attach(SimulationOptions& options, int snapshots);
     void write_series(const SimulationSeries& series) const;
     /// The answer comes last: where it is, all is there.
-    void write_answer(const std::string& json) const;
+    void write_answer(const std::string& json);
 
   private:
     void write(const std::string& name, const std::string& text,
                WholeFile::Sync sync = WholeFile::Sync::disk) const;
     void write_picture(const SimulationSnapshot& snapshot);
     void write_timelines(WholeFile::Sync sync) const;
+    void write_frame(const std::string& name, const std::string& text);
+    void sync_pictures();
 
     RunDirectory& directory_;
     double interval_;
     SimulationState state_;
     bool resumes_ = false;
-    std::mutex lock_;            // two runs of one simulation hand out their states
-    std::vector<double> times_;  ///< of the pictures [s]
+    std::mutex lock_;                    // two runs of one simulation hand out their states
+    std::vector<std::string> unsynced_;  ///< pictures that a power cut could still take
+    std::vector<double> times_;          ///< of the pictures [s]
 };
 
 }  // namespace bioprint
