@@ -42,7 +42,7 @@ std::string joined(const std::vector<std::string>& texts) {
 
 void add_long_run_options(CLI::App& app, RawLongRun& raw) {
     const std::string group = "A long run";
-    app.add_option("--out", raw.out, "keep the run in a new directory: checkpoints, series, answer")
+    app.add_option("--out", raw.out, "keep a simulation, batch or sweep in a new directory")
         ->type_name("DIR")
         ->group(group);
     app.add_option("--resume", raw.resume, "go on with the run in a directory, to the same numbers")
@@ -108,8 +108,16 @@ void collect_long_run(const RawLongRun& raw, Arguments& arguments, Problems& pro
                          "--snapshots");
         }
     }
-    if (raw.out && !arguments.simulation) {
-        problems.add("--out: keeps a simulation; add --simulate, or use --output for the answer", "--out");
+    const bool many = arguments.batch || !arguments.sweep.swept().empty();
+    if (raw.out && !arguments.simulation && !many) {
+        problems.add("--out: keeps a simulation, a batch or a sweep; for this answer use --output", "--out");
+    }
+    if (raw.out && arguments.batch == "-") {
+        problems.add("--batch: standard input cannot be read again when the run goes on; name a file",
+                     "--batch");
+    }
+    if (raw.out && many && arguments.format == Format::table) {
+        problems.add("--format: rows are kept as csv, jsonl or json, not as a table", "--format");
     }
     if ((raw.out || raw.resume) && arguments.list) {
         problems.add("--list: shows presets and asks nothing; leave out --out and --resume", "--list");

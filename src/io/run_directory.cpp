@@ -240,7 +240,8 @@ void RunDirectory::keep(const CheckpointParts& parts, const CheckpointParts& mor
 void RunDirectory::abandon() {
     if (!new_) return;
     std::error_code ignored;
-    for (const char* name : {question_file, ink_copy, lock_file}) fs::remove(file(name), ignored);
+    for (const char* name : {question_file, ink_copy, lock_file, "answers.unfinished"})
+        fs::remove(file(name), ignored);
     if (made_) fs::remove(path_, ignored);
 }
 

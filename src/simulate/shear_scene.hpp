@@ -18,6 +18,7 @@ struct ShearSceneSetup {
     double fluid_stress;                         ///< σ_f = η γ̇ of the undisturbed flow [Pa], > 0
     double shear_modulus;                        ///< μ of the cell [Pa], > 0
     double shear_rate;                           ///< γ̇ [1/s], > 0
+    double cell_radius = 1.0;                    ///< [m]; of pictures alone
     double nodes = 6.0;                          ///< cell radius, in lattice nodes
     std::array<double, 3> box{10.0, 15.0, 5.0};  ///< in cell radii; rounded to whole nodes, the first to 16
     double longest = 30.0;                       ///< γ̇ t at which the run ends in any case
