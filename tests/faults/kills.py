@@ -114,8 +114,8 @@ def main():
                  Kind(given.program, "json batch", ["--batch", lines, "--format", "json", *steady], scratch),
                  Kind(given.program, "channel", ["--simulate=channel", "--resolution", "6"], scratch),
                  Kind(given.program, "sweep", ["--radius", "40um:80um:0.01um", *steady], scratch),
-                 Kind(given.program, "off axis", ["--simulate=exit", "--offset", "1.5Rc", "--resolution", "3",
-                                                  "--snapshots", "4"], scratch)]
+                 Kind(given.program, "off axis", ["--simulate=channel", "--offset", "1.5Rc", "--resolution", "3",
+                                                  "--channel-time", "2ms", "--snapshots", "4"], scratch)]
         total = {kind.name: [0, 0] for kind in kinds}
         failures = []
         for i in range(given.repeats):
