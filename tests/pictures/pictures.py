@@ -78,6 +78,12 @@ def ring_volumes(points, triangles):
     return 2 * math.pi * corner[:, :, 1].mean(axis=1) * area
 
 
+def tetra_volumes(points, tetrahedra):
+    corner = points[tetrahedra]
+    edges = corner[:, 1:] - corner[:, :1]
+    return np.einsum("ij,ij->i", edges[:, 0], np.cross(edges[:, 1], edges[:, 2])) / 6
+
+
 class Pictures(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -88,14 +94,14 @@ class Pictures(unittest.TestCase):
     def tearDownClass(cls):
         cls.scratch.cleanup()
 
-    def run_of(self, scene, *options):
-        """The directory of a scene, simulated once, and its answer."""
-        if scene not in self.runs:
-            directory = pathlib.Path(self.scratch.name) / scene
-            subprocess.run([PROGRAM, "-q", f"--simulate={scene}", "--out", str(directory), *options],
+    def run_of(self, name, *options):
+        """The directory of a run, simulated once, and its answer."""
+        if name not in self.runs:
+            directory = pathlib.Path(self.scratch.name) / name
+            subprocess.run([PROGRAM, "-q", *options, "--out", str(directory)],
                            check=True, stdout=subprocess.DEVNULL)
-            self.runs[scene] = directory
-        directory = self.runs[scene]
+            self.runs[name] = directory
+        directory = self.runs[name]
         return directory, json.loads((directory / "answer.json").read_text())
 
     def series(self, directory):
@@ -123,16 +129,33 @@ class Pictures(unittest.TestCase):
         return entries
 
     def test_cells_in_the_exit_have_the_volume_and_stress_of_the_series(self):
-        directory, _ = self.run_of("exit", "--resolution", "3")
+        directory, _ = self.run_of("exit", "--simulate=exit", "--resolution", "3")
         entries = self.check_cells(directory)
         self.assertGreater(len(entries), 30)  # twenty of each of two stages, but for those that come at once
 
     def test_cells_in_the_channel_have_the_volume_and_stress_of_the_series(self):
-        directory, _ = self.run_of("channel", "--resolution", "3", "--snapshots", "40")
+        directory, _ = self.run_of("channel", "--simulate=channel", "--resolution", "3", "--snapshots", "40")
         self.check_cells(directory)
 
+    def test_a_cell_in_space_has_the_volume_and_stress_of_the_series(self):
+        directory, _ = self.run_of("channel in space", "--simulate=channel", "--offset", "1.5Rc", "--resolution", "3",
+                                   "--channel-time", "0.3ms", "--snapshots", "4")
+        rows = {row["time [s]"]: row for row in self.series(directory)}
+        entries = timeline(directory, "cell.pvd")
+        self.assertGreaterEqual(len(entries), 4)
+        for time, path in entries:
+            mesh = meshio.read(path)
+            tetrahedra = mesh.cells_dict["tetra"]
+            rest = tetra_volumes(mesh.points - mesh.point_data["displacement"], tetrahedra)
+            now = tetra_volumes(mesh.points, tetrahedra)
+            mean = (mesh.cell_data["von_mises"][0] * rest).sum() / rest.sum()
+            self.assertAlmostEqual(2 * rest.sum() / (4 / 3 * math.pi * 8e-6 ** 3), 1.0, delta=ROUNDING)
+            self.assertAlmostEqual(now.sum() / rest.sum() / rows[time]["volume"], 1.0, delta=ROUNDING)
+            self.assertAlmostEqual(mean / rows[time]["von_mises [Pa]"], 1.0, delta=ROUNDING)
+            self.assertGreaterEqual(mesh.points[:, 2].min(), 0.0)
+
     def test_the_flow_keeps_its_volume_and_its_largest_velocity(self):
-        directory, answer = self.run_of("exit", "--resolution", "3")
+        directory, answer = self.run_of("exit", "--simulate=exit", "--resolution", "3")
         entries = timeline(directory, "flow.pvd")
         self.assertEqual([time for time, _ in entries], [time for time, _ in timeline(directory, "cell.pvd")])
         flow_rate, velocity_max = answer["nozzle"]["flow_rate"], answer["nozzle"]["velocity_max"]
@@ -152,7 +175,7 @@ class Pictures(unittest.TestCase):
         self.assertAlmostEqual(plug.mean() / answer["nozzle"]["velocity_average"], 1.0, delta=1e-2)
 
     def test_the_flow_without_a_cell_is_one_picture(self):
-        directory, answer = self.run_of("exit-flow", "--resolution", "4")
+        directory, answer = self.run_of("exit-flow", "--simulate=exit-flow", "--resolution", "4")
         self.assertFalse((directory / "cell.pvd").exists())
         (time, path), = timeline(directory, "flow.pvd")
         self.assertEqual(time, 0.0)
@@ -166,7 +189,7 @@ class Pictures(unittest.TestCase):
 
     @unittest.skipUnless(vtk, "python3-vtk9 is not installed")
     def test_vtk_reads_the_same(self):
-        directory, _ = self.run_of("exit", "--resolution", "3")
+        directory, _ = self.run_of("exit", "--simulate=exit", "--resolution", "3")
         for _, path in timeline(directory, "flow.pvd"):
             reader = vtk.vtkXMLImageDataReader()
             reader.SetFileName(str(path))

@@ -10,6 +10,11 @@ add_test(NAME pictures COMMAND ${BIOPRINT_SYSTEM_PYTHON} ${PROJECT_SOURCE_DIR}/t
   $<TARGET_FILE:bioprint-predict>)
 set_tests_properties(pictures PROPERTIES LABELS "slow")
 
+# A full disk, no place to write, two runs at once.
+add_test(NAME faults COMMAND ${BIOPRINT_SYSTEM_PYTHON} ${PROJECT_SOURCE_DIR}/tests/faults/faults.py
+  $<TARGET_FILE:bioprint-predict>)
+set_tests_properties(faults PROPERTIES LABELS "slow")
+
 # Killed at random moments and taken up again: a few times here, 200 times by hand.
 add_test(NAME kills COMMAND ${BIOPRINT_SYSTEM_PYTHON} ${PROJECT_SOURCE_DIR}/tests/faults/kills.py $<TARGET_FILE:bioprint-predict> --repeats 6)
 set_tests_properties(kills PROPERTIES LABELS "slow")
