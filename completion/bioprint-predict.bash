@@ -45,7 +45,7 @@ _bioprint_predict() {
         -R | --radius | --diameter | -Q | --flowrate | --velocity | --pressure-gradient | --pressure | --length | \
             --eta0 | --eta-inf | -K | --time-constant | -a | --alpha | --cell-radius | --shear-modulus | \
             --poisson-ratio | --viscosity-ratio | --offset | --threshold | --profile | --get | --resolution | \
-            --fluid-stress | --channel-time | --checkpoint-interval | -j | --jobs)
+            --fluid-stress | --channel-time | --checkpoint-interval | --snapshots | -j | --jobs)
             return # a quantity: nothing to propose
             ;;
         *)
@@ -55,7 +55,7 @@ _bioprint_predict() {
                 --cell --cell-radius --shear-modulus --poisson-ratio --viscosity-ratio --offset
                 --model --population --threshold --profile --batch -f --format --json --get --history -o --output
                 -j --jobs -q --quiet -v --verbose --no-color --list --simulate --fidelity --resolution
-                --fluid-stress --channel-time --tolerance --budget --explain --dry-run --out --resume --checkpoint-interval --version -h --help'
+                --fluid-stress --channel-time --tolerance --budget --explain --dry-run --out --resume --checkpoint-interval --snapshots --version -h --help'
             ;;
     esac
     local proposals

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "bioprint/errors.hpp"
 #include "bioprint/io/answer.hpp"
@@ -15,6 +16,8 @@ constexpr std::array<std::string_view, 12> of_this_call = {
     "--history", "--list",   "--out",     "--resume",   "--checkpoint-interval",
     "--help",    "--version"};
 constexpr std::array<std::string_view, 3> of_the_answer = {"--format", "--json", "--get"};
+
+constexpr double most_snapshots = 1000.0;
 
 template <class List>
 bool contains(const List& list, std::string_view name) {
@@ -39,7 +42,7 @@ std::string joined(const std::vector<std::string>& texts) {
 
 void add_long_run_options(CLI::App& app, RawLongRun& raw) {
     const std::string group = "A long run";
-    app.add_option("--out", raw.out, "keep the run in a new directory: checkpoints, series, answer")
+    app.add_option("--out", raw.out, "keep a simulation, batch or sweep in a new directory")
         ->type_name("DIR")
         ->group(group);
     app.add_option("--resume", raw.resume, "go on with the run in a directory, to the same numbers")
@@ -47,6 +50,10 @@ void add_long_run_options(CLI::App& app, RawLongRun& raw) {
         ->group(group);
     app.add_option("--checkpoint-interval", raw.interval, "between checkpoints (default 10s)")
         ->type_name("QUANTITY")
+        ->group(group);
+    app.add_option("--snapshots", raw.snapshots,
+                   "with --out: pictures for ParaView of each stage of a simulation (default 20, 0: none)")
+        ->type_name("N")
         ->group(group);
 }
 
@@ -87,8 +94,30 @@ void collect_long_run(const RawLongRun& raw, Arguments& arguments, Problems& pro
         problems.add("--checkpoint-interval: belongs to a run that is kept; add --out",
                      "--checkpoint-interval");
     }
-    if (raw.out && !arguments.simulation) {
-        problems.add("--out: keeps a simulation; add --simulate, or use --output for the answer", "--out");
+    if (raw.snapshots) {
+        problems.collect([&] {
+            const double count = parse_quantity(*raw.snapshots, Dimension::dimensionless, "--snapshots");
+            if (count != std::floor(count) || count < 0.0 || count > most_snapshots) {
+                throw UsageError("--snapshots: takes a whole number from 0 to 1000", "--snapshots");
+            }
+            if (arguments.simulation) arguments.simulation->snapshots = static_cast<int>(count);
+        });
+        // Beside --resume it must be what it was, like the question.
+        if (!raw.resume && !(raw.out && arguments.simulation)) {
+            problems.add("--snapshots: belongs to a simulation that is kept; add --simulate and --out",
+                         "--snapshots");
+        }
+    }
+    const bool many = arguments.batch || !arguments.sweep.swept().empty();
+    if (raw.out && !arguments.simulation && !many) {
+        problems.add("--out: keeps a simulation, a batch or a sweep; for this answer use --output", "--out");
+    }
+    if (raw.out && arguments.batch == "-") {
+        problems.add("--batch: standard input cannot be read again when the run goes on; name a file",
+                     "--batch");
+    }
+    if (raw.out && many && arguments.format == Format::table) {
+        problems.add("--format: rows are kept as csv, jsonl or json, not as a table", "--format");
     }
     if ((raw.out || raw.resume) && arguments.list) {
         problems.add("--list: shows presets and asks nothing; leave out --out and --resume", "--list");
@@ -112,7 +141,7 @@ std::vector<std::string> resumed_words(const std::string& directory, const Typed
                      option.name);
     }
     problems.raise();
-    std::vector<std::string> words = {std::string(program_name)};
+    std::vector<std::string> words = {std::string(program_name), "--out=" + directory};
     for (const TypedOption& option : lasting_question_in(directory)) {
         words.push_back(option.name + "=" + option.text);
     }

@@ -13,6 +13,7 @@ struct RawLongRun {
     std::optional<std::string> out;
     std::optional<std::string> resume;
     std::optional<std::string> interval;
+    std::optional<std::string> snapshots;
 };
 
 void add_long_run_options(CLI::App& app, RawLongRun& raw);

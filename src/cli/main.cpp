@@ -20,6 +20,7 @@
 #include "io/batch.hpp"
 #include "io/dry_run.hpp"
 #include "io/history.hpp"
+#include "io/kept_rows.hpp"
 #include "io/preset_list.hpp"
 #include "io/reference_report.hpp"
 #include "io/whole_file.hpp"
@@ -149,6 +150,45 @@ void say_how_to_resume(const Arguments& arguments) {
         "' goes on from there");
 }
 
+/// A batch or a sweep whose answers stay in a directory.
+int run_kept_rows(const Arguments& arguments, RunOptions options, const Sink& notice) {
+    if (arguments.output) {
+        throw UsageError(
+            "--output: the rows are answered in " + arguments.long_run->directory + "; leave out --output",
+            "--output");
+    }
+    RunDirectory directory = directory_of(arguments);
+    KeptRows kept(directory, arguments.long_run->interval);
+    kept.values = !options.paths.empty();
+    RunResult result = kept.start();
+    if (!kept.finished()) {
+        options.start = kept.start();
+        options.keep = [&](const RunResult& so_far) { kept.keep(so_far); };
+        const Sink sink = [&](std::string_view text) { kept.write(text); };
+        try {
+            if (arguments.batch) {
+                const BatchInput input{.file = *arguments.batch, .defaults = arguments.sweep.fixed()};
+                result = run_batch(input, arguments.format, options, sink, notice);
+            } else {
+                options.format = arguments.format.value_or(Format::csv);
+                result = run_sweep(arguments.sweep, options, sink, notice);
+            }
+        } catch (const UsageError&) {
+            directory.abandon();
+            throw;
+        }
+        if (result.interrupted) {
+            say("interrupted after " + std::to_string(result.rows) + " rows");
+            say_how_to_resume(arguments);
+            return status_interrupted;
+        }
+        kept.finish(result);
+    }
+    notice(std::to_string(result.rows) + " rows answered in " + kept.answers() +
+           (result.refused > 0 ? ", " + std::to_string(result.refused) + " of them refused" : ""));
+    return result.refused > 0 ? status_some_rows_failed : 0;
+}
+
 int run(Arguments arguments) {
     WholeFile output(arguments.output.value_or("-"));
     const Sink sink = [&](std::string_view text) { output.write(text); };
@@ -188,6 +228,7 @@ int run(Arguments arguments) {
         output.commit();
         return 0;
     }
+    if (arguments.long_run) return run_kept_rows(arguments, options, notice);
     RunResult result;
     if (arguments.batch) {
         const BatchInput input{.file = *arguments.batch, .defaults = arguments.sweep.fixed()};

@@ -47,8 +47,10 @@ RunResult run_json_lines(ByteSource& source, const Settings& defaults, const Run
     JsonLinesReader reader(source);
     const RowWriter writer(options, 3 * cell_entries(defaults), defaults.has(Key::population),
                            3 * passage_entries(defaults));
-    RunResult result;
-    sink(writer.head());
+    RunResult result = options.start;
+    result.format = options.format;
+    for (std::size_t passed = 0; passed < result.read && reader.next(); ++passed) continue;
+    if (result.read == 0) sink(writer.head());
     std::vector<JsonLine> lines;
     std::vector<RowText> texts;
     bool more = true;
@@ -71,9 +73,11 @@ RunResult run_json_lines(ByteSource& source, const Settings& defaults, const Run
             ++result.rows;
             result.refused += text.refused ? 1 : 0;
         }
+        result.read += lines.size();
         result.interrupted = options.interrupted && *options.interrupted;
+        if (options.keep) options.keep(result);
     }
-    sink(writer.tail());
+    if (!(options.keep && result.interrupted)) sink(writer.tail());
     return result;
 }
 

@@ -63,9 +63,11 @@ unsigned long long checksum(std::string_view bytes, unsigned long long seed) {
     return seed;
 }
 
-void write_checkpoint(const std::string& path, const CheckpointParts& parts) {
+void write_checkpoint(const std::string& path, const CheckpointParts& parts, const CheckpointParts& more) {
     Json content = Json::object();
-    for (const auto& [name, numbers] : parts) content[name] = Json::binary(bytes_of(numbers));
+    for (const CheckpointParts* part : {&parts, &more}) {
+        for (const auto& [name, numbers] : *part) content[name] = Json::binary(bytes_of(numbers));
+    }
     Bytes inner = Json::to_cbor(content);
     content = nullptr;
     const unsigned long long sum = checksum(view(inner));

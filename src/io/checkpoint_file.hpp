@@ -15,7 +15,8 @@ using CheckpointParts = std::map<std::string, std::vector<double>>;
 
 /// Written whole or not at all: the one before stays until the new one is complete.
 /// @throws DataError  it cannot be written
-void write_checkpoint(const std::string& path, const CheckpointParts& parts);
+void write_checkpoint(const std::string& path, const CheckpointParts& parts,
+                      const CheckpointParts& more = {});
 
 /// @throws DataError  it cannot be read, is cut short, damaged, or of another version of the program
 CheckpointParts read_checkpoint(const std::string& path);

@@ -133,9 +133,15 @@ class CsvBatch {
         const std::size_t cells = entries();
         columns_.emplace(cells, layout_.asks(Key::population) || input_.defaults.has(Key::population),
                          passage_entries(input_.defaults) > 0 ? cells / 3 : 0);
-        sink(head());
-        RunResult result;
+        RunResult result = options_.start;
+        result.format = options_.format;
+        if (result.read == 0) sink(head());
+        std::size_t passed = 0;  // rows that an earlier part of this run has answered
         while (!rows_.empty() && !result.interrupted) {
+            const std::size_t known = std::min(rows_.size(), options_.start.read - passed);
+            passed += known;
+            rows_.erase(rows_.begin(), rows_.begin() + static_cast<std::ptrdiff_t>(known));
+            result.read += rows_.size();
             for_each_index(rows_.size(), options_.jobs, [&](std::size_t i) { answer(rows_[i]); });
             for (Row& row : rows_) {
                 if (!row.blank) {
@@ -148,10 +154,11 @@ class CsvBatch {
                 }
             }
             result.interrupted = options_.interrupted && *options_.interrupted;
+            if (options_.keep && !rows_.empty()) options_.keep(result);
             rows_.clear();
             if (more) more = read_chunk();
         }
-        if (as_array()) sink("\n]\n");
+        if (as_array() && !(options_.keep && result.interrupted)) sink("\n]\n");
         return result;
     }
 

@@ -115,9 +115,11 @@ RunResult run_sweep(const Sweep& sweep, const RunOptions& options, const Sink& s
 
     RowWriter writer(options, cell_entries(sweep.fixed()), sweep.fixed().has(Key::population),
                      passage_entries(sweep.fixed()));
-    sink(writer.head());
+    result = options.start;
+    result.format = options.format;
+    if (result.read == 0) sink(writer.head());
     const std::size_t total = sweep.size();
-    for (std::size_t begin = 0; begin < total; begin += chunk_rows) {
+    for (std::size_t begin = result.read; begin < total; begin += chunk_rows) {
         const std::size_t count = std::min(chunk_rows, total - begin);
         std::vector<RowText> texts(count);
         for_each_index(count, options.jobs, [&](std::size_t i) {
@@ -128,12 +130,12 @@ RunResult run_sweep(const Sweep& sweep, const RunOptions& options, const Sink& s
             result.refused += texts[i].refused ? 1 : 0;
         }
         result.rows += count;
-        if (options.interrupted && *options.interrupted) {
-            result.interrupted = true;
-            break;
-        }
+        result.read += count;
+        result.interrupted = options.interrupted && *options.interrupted;
+        if (options.keep) options.keep(result);
+        if (result.interrupted) break;
     }
-    sink(writer.tail());
+    if (!(options.keep && result.interrupted)) sink(writer.tail());
     return result;
 }
 

@@ -21,6 +21,14 @@ enum class Format { table, json, jsonl, csv };
 /// Where answers go, in pieces; throws DataError when it cannot.
 using Sink = std::function<void(std::string_view)>;
 
+struct RunResult {
+    std::size_t rows = 0;     ///< answered or refused
+    std::size_t refused = 0;  ///< of them
+    std::size_t read = 0;     ///< rows of the input, empty ones too
+    bool interrupted = false;
+    Format format = Format::table;  ///< as answered
+};
+
 struct RunOptions {
     Format format = Format::table;
     std::vector<std::string> paths;  ///< of `--get`: print these values alone
@@ -28,14 +36,10 @@ struct RunOptions {
     std::optional<LadderAnswer> ladder = {};  ///< which model answers, and why
     unsigned jobs = 1;
     const std::atomic<bool>* interrupted = nullptr;  ///< set by Ctrl-C; what was finished is kept
+    RunResult start =
+        {};  ///< where many rows go on: those read are passed over, and their answers stand already
+    std::function<void(const RunResult&)> keep = {};  ///< called now and then between two rows
 };
-
-struct RunResult {
-    std::size_t rows = 0;
-    std::size_t refused = 0;
-    bool interrupted = false;
-};
-
 /// Answers a question or a sweep. `notice` gets the warnings of a single question asked with `--get`.
 RunResult run_sweep(const Sweep& sweep, const RunOptions& options, const Sink& sink, const Sink& notice);
 

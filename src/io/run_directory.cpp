@@ -153,7 +153,10 @@ TypedQuestion lasting_question_in(const std::string& directory) {
 RunDirectory::RunDirectory(std::string path, bool made) : path_(std::move(path)), made_(made) {}
 
 RunDirectory::RunDirectory(RunDirectory&& other) noexcept
-    : path_(other.path_), made_(other.made_), new_(other.new_), lock_(std::exchange(other.lock_, -1)) {}
+    : path_(std::move(other.path_)),
+      made_(other.made_),
+      new_(other.new_),
+      lock_(std::exchange(other.lock_, -1)) {}
 
 RunDirectory::~RunDirectory() {
     if (lock_ >= 0) ::close(lock_);
@@ -229,15 +232,16 @@ std::optional<CheckpointParts> RunDirectory::checkpoint() const {
     return read_checkpoint(file(checkpoint_file));
 }
 
-void RunDirectory::keep(const CheckpointParts& parts) {
-    write_checkpoint(file(checkpoint_file), parts);
+void RunDirectory::keep(const CheckpointParts& parts, const CheckpointParts& more) {
+    write_checkpoint(file(checkpoint_file), parts, more);
     new_ = false;
 }
 
 void RunDirectory::abandon() {
     if (!new_) return;
     std::error_code ignored;
-    for (const char* name : {question_file, ink_copy, lock_file}) fs::remove(file(name), ignored);
+    for (const char* name : {question_file, ink_copy, lock_file, "answers.unfinished"})
+        fs::remove(file(name), ignored);
     if (made_) fs::remove(path_, ignored);
 }
 

@@ -46,7 +46,8 @@ class RunDirectory {
 
     /// The last checkpoint; none where the run was killed before its first.
     [[nodiscard]] std::optional<CheckpointParts> checkpoint() const;
-    void keep(const CheckpointParts& parts);
+    /// @throws DataError  it cannot be written
+    void keep(const CheckpointParts& parts, const CheckpointParts& more = {});
     /// A refused question leaves nothing behind: undoes begin() unless something was kept.
     void abandon();
 

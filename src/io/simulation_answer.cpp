@@ -402,7 +402,7 @@ void answer_with_simulation(const Settings& settings, const SimulationQuestion& 
         }
         return comparison;
     };
-    if (files != nullptr) files->attach(simulation);
+    if (files != nullptr) files->attach(simulation, question.snapshots);
     std::string short_of;
     try {
         const Comparison comparison =

@@ -16,6 +16,7 @@ enum class Fidelity { draft, standard, fine };
 struct SimulationQuestion {
     std::string scene = "auto";  ///< shear, channel, exit-flow, exit, or auto
     Fidelity fidelity = Fidelity::standard;
+    int snapshots = 20;                  ///< pictures of each stage of a run that is kept
     std::optional<double> resolution;    ///< nodes a cell radius; overrides the fidelity's 3, 6 or 12
     std::optional<double> fluid_stress;  ///< of the shear scene [Pa]
     std::optional<double> channel_time;  ///< how long the cell stays in the nozzle [s]

@@ -209,7 +209,7 @@ void WholeFile::link_nameless() {
     fail(errno);
 }
 
-void WholeFile::commit() {
+void WholeFile::commit(Sync sync) {
     flush();
     if (temporary_.empty() && !nameless_) {
         if (owns_file_ && ::close(file_) != 0) {
@@ -219,13 +219,14 @@ void WholeFile::commit() {
         file_ = -1;
         return;
     }
-    if (::fsync(file_) != 0) fail(errno);
+    if (sync == Sync::disk && ::fsync(file_) != 0) fail(errno);
     if (nameless_) link_nameless();
     const int closed = ::close(file_);
     file_ = -1;
     if (closed != 0) fail(errno);
     if (!temporary_.empty() && ::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
     temporary_.clear();
+    if (sync == Sync::none) return;
     // The name is in place; a directory that cannot be synced is no failure of the file.
     const fs::path directory = fs::path(target_).parent_path();
     const int folder =

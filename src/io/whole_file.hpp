@@ -25,9 +25,11 @@ class WholeFile {
     void write(std::string_view bytes);
     /// Hands over what is written so far to the operating system; for output that someone reads along.
     void flush();
-    /// Puts the file in its place. At most once, last.
+    /// Puts the file in its place. At most once, last. Without `sync` it is complete for every reader, but a power cut
+    /// may still lose it.
     /// @throws DataError
-    void commit();
+    enum class Sync { disk, none };
+    void commit(Sync sync = Sync::disk);
 
   private:
     void open_directly(const std::string& path);

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "simulate/pictures.hpp"
 #include "simulate/scenes.hpp"
 
 namespace bioprint {
@@ -126,6 +127,7 @@ class ChannelRun {
     void advance();
     void sample();
     [[nodiscard]] Record record() const;
+    [[nodiscard]] SimulationSnapshot picture() const;
     void resume(const std::vector<double>& values);
 
     const Run& run_;
@@ -208,6 +210,15 @@ Record ChannelRun::record() const {
     return r;
 }
 
+/// The stretch of nozzle about the cell.
+SimulationSnapshot ChannelRun::picture() const {
+    const int first = static_cast<int>(std::floor(shape_.centre)) - flow_.domain().length / 2;
+    return {.stage = "channel",
+            .time = static_cast<double>(steps_) * units_.time_step,
+            .cell = cell_picture(cell_, units_, {}),
+            .flow = flow_picture(flow_, units_, {.first = first})};
+}
+
 void ChannelRun::resume(const std::vector<double>& values) {
     Record r(values);
     steps_ = static_cast<long>(r.next());
@@ -265,9 +276,12 @@ void ChannelRun::until_settled() {
         run_.log.count(interval_, nodes);
         sample();
         const bool ended = steady_ || steps_ >= limit_;
-        run_.log.progress(
-            "channel",
-            ended ? 1.0 : std::min(0.99, static_cast<double>(steps_) / static_cast<double>(limit_)));
+        const double done =
+            ended ? 1.0 : std::min(0.99, static_cast<double>(steps_) / static_cast<double>(limit_));
+        run_.log.progress("channel", done);
+        if (run_.scene.kind == SceneKind::channel) {
+            run_.log.picture("channel", done, ended, [&] { return picture(); });
+        }
         run_.log.keep("channel", ended, [&] { return record(); });
         run_.log.stop_if_cancelled();
     }

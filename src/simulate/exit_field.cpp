@@ -71,7 +71,7 @@ ExitField settle_exit_flow(const NozzleFlow& flow, int nodes, const ExitReach& r
         r.put(steady ? 1.0 : 0.0);
         r.put(static_cast<double>(search.done));
         r.put(search.last_change);
-        r.put(steady ? std::span<const double>{} : std::span<const double>(search.before));
+        r.put(search.before);
         r.put(field.flow.state());
         return r;
     };

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "simulate/exit_field.hpp"
+#include "simulate/pictures.hpp"
 #include "simulate/scenes.hpp"
 
 namespace bioprint {
@@ -33,6 +34,13 @@ void run_exit_flow(const Run& run) {
     for (std::size_t i = 0; i < axis.x.size(); ++i) {
         series.rows.push_back({axis.x[i], axis.velocity[i], axis.rate[i], axis.stress[i], axis.pressure[i]});
     }
+    run.log.picture("flow", 1.0, true, [&] {
+        return SimulationSnapshot{
+            .stage = "flow",
+            .cell = std::nullopt,
+            .flow = flow_picture(field.flow, field.units,
+                                 {.offset = -static_cast<double>(field.flow.domain().lip)})};
+    });
     report(run, field.units, field.flow.domain().length);
 }
 

@@ -5,6 +5,7 @@
 
 #include "simulate/decay.hpp"
 #include "simulate/exit_field.hpp"
+#include "simulate/pictures.hpp"
 #include "simulate/scenes.hpp"
 
 namespace bioprint {
@@ -51,6 +52,14 @@ class Passage {
             run_.log.count(interval_, nodes);
             sample(offset + drift * static_cast<double>(steps_ - first));
             ended = enough(samples_.back());
+            run_.log.picture(stage, ended ? 1.0 : progress_of(stage), ended, [&] {
+                const PictureFrame frame{.offset = offset + drift * static_cast<double>(steps_ - first),
+                                         .drift = drift};
+                return SimulationSnapshot{.stage = stage,
+                                          .time = samples_.back().time,
+                                          .cell = cell_picture(cell_, units_, frame),
+                                          .flow = flow_picture(flow, units_, frame)};
+            });
             run_.log.keep(stage, ended, [&] { return record(flow, first); });
             if (samples_.size() % 16 == 0 || ended) {
                 run_.log.progress(stage, ended ? 1.0 : progress_of(stage));

@@ -8,6 +8,7 @@
 #include "simulate/ellipsoid_axes.hpp"
 #include "simulate/immersed_body.hpp"
 #include "simulate/offset_view.hpp"
+#include "simulate/space_pictures.hpp"
 
 namespace bioprint {
 
@@ -57,6 +58,9 @@ class Channel {
                 advance();
                 sample();
                 ended = is_over();
+                setup_.watch.show(
+                    "channel", ended ? 1.0 : static_cast<double>(result_.steps) / total_, ended,
+                    [this] { return space_picture(lattice_, cell_, scale(), result_.series.back().time); });
                 setup_.watch.keep_state("channel", ended, [this] { return record(); });
                 if (!setup_.watch.goes_on("channel", ended ? 1.0 : fraction())) {
                     result_.stopped = cancelled_run;
@@ -199,6 +203,14 @@ class Channel {
         sample.viscous = view.viscous_stress() * lu_.stress;
         sample.volume = view.volume();
         return sample;
+    }
+
+    [[nodiscard]] SpaceScale scale() const {
+        return {.spacing = lu_.spacing,
+                .time = lu_.time,
+                .stress = lu_.stress,
+                .offset = -started_ * lu_.spacing,
+                .centred = true};
     }
 
     [[nodiscard]] Record record() const {

@@ -7,6 +7,7 @@
 #include "bioprint/flow/nozzle_flow.hpp"
 #include "simulate/decay.hpp"
 #include "simulate/offset_view.hpp"
+#include "simulate/space_pictures.hpp"
 
 namespace bioprint {
 
@@ -87,7 +88,27 @@ class Passage {
         double before = 0.0;
         double near = 0.0;
         int still = 0;
-        for (int round = 0; round < most_rounds && still < 3; ++round) {
+        int round = 0;
+        const auto record_of_rest = [&] {
+            Record r;
+            for (const double value : {before, static_cast<double>(still), static_cast<double>(round),
+                                       static_cast<double>(result.steps), result.updates}) {
+                r.put(value);
+            }
+            r.put(lattice_.state());
+            return r;
+        };
+        if (const auto* values = setup_.watch.kept("flow")) {
+            Record r(*values);
+            before = r.next();
+            still = static_cast<int>(r.next());
+            round = static_cast<int>(r.next());
+            result.steps = static_cast<long>(r.next());
+            result.updates = r.next();
+            lattice_.restore(r.next_list());
+        }
+        while (round < most_rounds && still < 3) {
+            ++round;
             for (int i = 0; i < stride; ++i) {
                 lattice_.cycle();
             }
@@ -100,6 +121,7 @@ class Passage {
             const double change = std::abs(peak - before) / peak;
             still = change < rest_tolerance ? still + 1 : 0;
             before = peak;
+            setup_.watch.keep_state("flow", still == 3, record_of_rest);
             const double reached = std::clamp(std::log(change) / std::log(rest_tolerance), 0.0, 1.0);
             near = std::max(near, 0.9 * reached);
             if (!setup_.watch.goes_on("flow", still == 3 ? 1.0 : near)) {
@@ -137,6 +159,9 @@ class Passage {
             count(stride, result);
             add(result, observe());
             ended = enough(result.series.back());
+            setup_.watch.show(name_, ended ? 1.0 : fraction(result.series.back()), ended, [&] {
+                return space_picture(lattice_, cell_, scale(), result.series.back().time);
+            });
             setup_.watch.keep_state(name_, ended, [&] { return record(result); });
             if (!setup_.watch.goes_on(name_, ended ? 1.0 : fraction(result.series.back()))) {
                 result.stopped = cancelled_run;
@@ -233,6 +258,16 @@ class Passage {
                 .volume = view.volume()};
     }
 
+    [[nodiscard]] SpaceScale scale() const {
+        const bool strand = stage_ == Stage::strand;
+        const double drift = strand ? setup_.velocity_average * done_ * lu_.time : 0.0;
+        return {.spacing = lu_.spacing,
+                .time = lu_.time,
+                .stress = lu_.stress,
+                .offset = origin_ + drift,
+                .velocity = strand ? setup_.velocity_average : 0.0};
+    }
+
     static void add(OffsetExitResult& result, const OffsetExitSample& s) {
         result.series.push_back(s);
         if (s.von_mises > result.peak_von_mises) {
@@ -249,6 +284,8 @@ class Passage {
         r.put(first_);
         r.put(origin_);
         r.put(result.flow_steady ? 1.0 : 0.0);
+        r.put(static_cast<double>(result.steps));
+        r.put(result.updates);
         r.put(static_cast<double>(result.series.size()));
         for (const OffsetExitSample& s : result.series) {
             for (const double value : {s.time, s.position, s.offset, s.von_mises, s.axial, s.radial, s.angle,
@@ -268,6 +305,8 @@ class Passage {
         first_ = r.next();
         origin_ = r.next();
         result.flow_steady = r.next() != 0.0;
+        result.steps = static_cast<long>(r.next());
+        result.updates = r.next();
         result.series.clear();
         for (auto n = static_cast<long>(r.next()); n > 0; --n) {
             OffsetExitSample s{};

@@ -2,6 +2,8 @@
 
 #include <atomic>
 #include <chrono>
+#include <cmath>
+#include <string>
 #include <vector>
 
 #include "bioprint/simulate/simulation.hpp"
@@ -55,14 +57,43 @@ class RunLog {
         const std::chrono::duration<double> since = std::chrono::steady_clock::now() - kept_;
         const bool due = since.count() >= options_.checkpoint_interval || cancelled();
         if (due || finished) {
-            keeper_.put(name_ + stage, state(), due);
+            Record record = state();
+            record.put(static_cast<double>(film_.index));
+            record.put(film_.next);
+            keeper_.put(name_ + stage, record, due);
         }
         if (due) {
             kept_ = std::chrono::steady_clock::now();
         }
     }
-    [[nodiscard]] const std::vector<double>* found(const char* stage) const {
-        return keeper_.found(name_ + stage);
+    [[nodiscard]] const std::vector<double>* found(const char* stage) {
+        const std::vector<double>* values = keeper_.found(name_ + stage);
+        if (values != nullptr && values->size() >= 2) {
+            film_ = {.stage = stage,
+                     .index = static_cast<int>(*(values->end() - 2)),
+                     .next = *(values->end() - 1)};
+        }
+        return values;
+    }
+    /// Hands out a snapshot when the stage has come another share of its way, or is at its end. `take` makes it, but
+    /// for its number and stage.
+    template <class Take>
+    void picture(const char* stage, double done, bool ended, const Take& take) {
+        if (!reports_ || !options_.snapshot || options_.snapshots < 1) {
+            return;
+        }
+        if (film_.stage != stage) {
+            film_.stage = stage;
+            film_.next = 0.0;
+        }
+        if (done < film_.next && !ended) {
+            return;
+        }
+        film_.next = (std::floor(done * options_.snapshots) + 1.0) / options_.snapshots;
+        SimulationSnapshot snapshot = take();
+        snapshot.index = film_.index++;
+        snapshot.stage = stage;
+        options_.snapshot(snapshot);
     }
     [[nodiscard]] const SimulationOptions& options() const { return options_; }
 
@@ -70,10 +101,17 @@ class RunLog {
     double updates = 0.0;
 
   private:
+    struct Film {
+        std::string stage;
+        int index = 0;      ///< of the next picture
+        double next = 0.0;  ///< share of the stage at which it is due
+    };
+
     const SimulationOptions& options_;
     Keeper& keeper_;
     std::string name_;
     bool reports_;
+    Film film_;
     std::chrono::steady_clock::time_point kept_ = std::chrono::steady_clock::now();
 };
 

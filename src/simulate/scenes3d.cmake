@@ -7,4 +7,5 @@ target_sources(bioprint_simulate PRIVATE
   offset_exit_scene.cpp
   offset_view.cpp
   shear_scene.cpp
-  space.cpp)
+  space.cpp
+  space_pictures.cpp)

@@ -6,6 +6,7 @@
 #include "bioprint/errors.hpp"
 #include "simulate/ellipsoid_axes.hpp"
 #include "simulate/immersed_body.hpp"
+#include "simulate/space_pictures.hpp"
 
 namespace bioprint {
 
@@ -84,6 +85,9 @@ class ShearRun {
                 advance(sample);
                 observe();
                 ended = is_over();
+                setup_.watch.show("shear", ended ? 1.0 : fraction(), ended, [this] {
+                    return space_picture(lattice_, cell_, scale(), result_.series.back().time);
+                });
                 setup_.watch.keep_state("shear", ended, [this] { return record(); });
                 if (!setup_.watch.goes_on("shear", ended ? 1.0 : fraction())) {
                     result_.stopped = cancelled_run;
@@ -165,6 +169,15 @@ class ShearRun {
             result_.steady = std::abs(sample.von_mises / before.von_mises - 1.0) < setup_.steady &&
                              std::abs(sample.angle - before.angle) < 10.0 * setup_.steady;
         }
+    }
+
+    [[nodiscard]] SpaceScale scale() const {
+        const double spacing = setup_.cell_radius / setup_.nodes;
+        return {.spacing = spacing,
+                .time = time_,
+                .stress = stress_,
+                .offset = -0.5 * lattice_.nx() * spacing,
+                .centred = true};
     }
 
     [[nodiscard]] double fraction() const { return result_.steps * lu_.rate / setup_.longest; }

@@ -19,6 +19,7 @@ struct ShearSceneSetup {
     double fluid_stress;                         ///< σ_f = η γ̇ of the undisturbed flow [Pa], > 0
     double shear_modulus;                        ///< μ of the cell [Pa], > 0
     double shear_rate;                           ///< γ̇ [1/s], > 0
+    double cell_radius = 1.0;                    ///< [m]; of pictures alone
     double alpha = 0.0;                          ///< thinning exponent of the ink, in the cell too
     double reduced_rate = 0.0;                   ///< K γ̇ of the undisturbed ink; 0: Newtonian
     double nodes = 6.0;                          ///< cell radius, in lattice nodes

@@ -41,6 +41,16 @@ SceneWatch watch_of(const SpaceRun& run) {
                 },
             .keep = [&run](const char* stage, bool finished,
                            const std::function<Record()>& state) { run.log.keep(stage, finished, state); },
+            .picture =
+                [&run](const char* stage, double fraction, bool finished,
+                       const std::function<SimulationSnapshot()>& take) {
+                    // The exit's film begins with the cell before the lip, and so does its series.
+                    const bool before =
+                        run.scene.kind == SceneKind::exit && std::string_view(stage) == "channel";
+                    if (!before) {
+                        run.log.picture(stage, fraction, finished, take);
+                    }
+                },
             .found = [&run](const char* stage) { return run.log.found(stage); }};
 }
 
@@ -78,6 +88,7 @@ void run_shear(const SpaceRun& run) {
     const ShearSceneResult r = run_shear_scene({.fluid_stress = scene.fluid_stress,
                                                 .shear_modulus = scene.cell.shear_modulus,
                                                 .shear_rate = rate,
+                                                .cell_radius = scene.cell.radius,
                                                 .nodes = run.nodes,
                                                 .longest = 12.0 + 18.0 * ratio,
                                                 .threads = run.threads,

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "bioprint/simulate/snapshot.hpp"
 #include "simulate/keeper.hpp"
 
 /// What a scene in three dimensions shares with whoever runs it.
@@ -17,6 +18,10 @@ struct SceneWatch {
     std::function<bool(const char* stage, double fraction)> progress = {};  ///< false ends the run
     /// Keeps the state of a stage when it is time to, or when the stage is `finished`.
     std::function<void(const char* stage, bool finished, const std::function<Record()>& state)> keep = {};
+    /// Hands out a picture when the stage has come far enough since the last one.
+    std::function<void(const char* stage, double fraction, bool finished,
+                       const std::function<SimulationSnapshot()>& take)>
+        picture = {};
     /// What a run that is resumed had kept of a stage; null when nothing.
     std::function<const std::vector<double>*(const char* stage)> found = {};
 
@@ -26,6 +31,12 @@ struct SceneWatch {
     void keep_state(const char* stage, bool finished, const std::function<Record()>& state) const {
         if (keep) {
             keep(stage, finished, state);
+        }
+    }
+    void show(const char* stage, double fraction, bool finished,
+              const std::function<SimulationSnapshot()>& take) const {
+        if (picture) {
+            picture(stage, fraction, finished, take);
         }
     }
     [[nodiscard]] const std::vector<double>* kept(const char* stage) const {

@@ -102,6 +102,15 @@ std::vector<double> RingTriangles::von_mises(std::span<const RingPoint> position
     return stress;
 }
 
+std::vector<double> RingTriangles::jacobians(std::span<const RingPoint> position) const {
+    std::vector<double> ratios;
+    ratios.reserve(elements_.size());
+    for (const Element& e : elements_) {
+        ratios.push_back(deformation(e, position).jacobian());
+    }
+    return ratios;
+}
+
 RingShape RingTriangles::shape(std::span<const RingPoint> position, const NeoHookean& material) const {
     RingShape s{.volume = 0.0,
                 .centre = 0.0,

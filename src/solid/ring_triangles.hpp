@@ -49,6 +49,8 @@ class RingTriangles {
     /// Mean von Mises stress of each element.
     [[nodiscard]] std::vector<double> von_mises(std::span<const RingPoint> position,
                                                 const NeoHookean& material) const;
+    /// Volume of each element over its undeformed volume.
+    [[nodiscard]] std::vector<double> jacobians(std::span<const RingPoint> position) const;
 
   private:
     struct Element {

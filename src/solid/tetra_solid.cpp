@@ -273,6 +273,18 @@ SolidState TetraSolid::state(const std::vector<Vector3>& positions) const {
     return state;
 }
 
+std::vector<ElementState> TetraSolid::elements(const std::vector<Vector3>& positions) const {
+    std::vector<ElementState> states;
+    states.reserve(elements_.size());
+    for (std::size_t e = 0; e < elements_.size(); ++e) {
+        const Matrix3 f = deformation(e, positions);
+        const double j = determinant(f);
+        states.push_back(
+            {.von_mises = j > 0.0 ? von_mises(cauchy_stress(f, j, elasticity_)) : 0.0, .jacobian = j});
+    }
+    return states;
+}
+
 Matrix3 TetraSolid::mean_gradient(const std::vector<Vector3>& positions,
                                   const std::vector<Vector3>& velocities) const {
     Matrix3 sum{};

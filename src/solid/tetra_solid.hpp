@@ -44,6 +44,11 @@ struct SolidState {
     Ellipsoid ellipsoid;   ///< of equal inertia tensor
 };
 
+struct ElementState {
+    double von_mises;
+    double jacobian;  ///< volume over rest volume
+};
+
 class TetraSolid {
   public:
     /// `half`: the mesh is the part z ≥ 0 of a body with a mirror plane; what is reported is the whole
@@ -58,6 +63,8 @@ class TetraSolid {
     /// Replaces `forces`; returns the number of inverted elements.
     int forces(const std::vector<Vector3>& positions, std::vector<Vector3>& forces) const;
     [[nodiscard]] SolidState state(const std::vector<Vector3>& positions) const;
+    /// The state of every element; an inverted one has no stress.
+    [[nodiscard]] std::vector<ElementState> elements(const std::vector<Vector3>& positions) const;
     /// Mean gradient ∂v_i/∂x_j of a nodal velocity over the deformed body.
     [[nodiscard]] Matrix3 mean_gradient(const std::vector<Vector3>& positions,
                                         const std::vector<Vector3>& velocities) const;

@@ -137,3 +137,41 @@ TEST_CASE("long run: an ink of a file is kept with the run") {
     run("--version; rm own.json; true");
     CHECK(timeless(run("--resume inked -q").out) == timeless(first.out));
 }
+
+TEST_CASE("long run: the files of a simulation do not depend on the number of threads") {
+    CHECK(run("-q --simulate --fidelity draft --jobs 1 --out one").status == 0);
+    CHECK(run("-q --simulate --fidelity draft --jobs 2 --out two").status == 0);
+    CHECK(timeless(read_scratch("one/answer.json")) == timeless(read_scratch("two/answer.json")));
+    for (const char* name : {"series.csv", "cell.pvd", "frames/cell_0005.vtu", "frames/flow_0005.vti"}) {
+        CHECK(read_scratch("one/" + std::string(name)) == read_scratch("two/" + std::string(name)));
+    }
+    const std::string off =
+        "-q --simulate=channel --offset 1.5Rc --channel-time 2ms --fidelity draft --json --jobs ";
+    CHECK(timeless(run(off + "1").out) == timeless(run(off + "2").out));
+}
+
+TEST_CASE("long run: a kept batch and a kept sweep are those of the plain call") {
+    write_scratch("kept.csv", "run,radius [um],alpha\r\nA,50,0.5\r\n\r\nB,60,2\r\n");
+    const Outcome plain = run("-q --batch kept.csv");
+    const Outcome kept = run("-q --batch kept.csv --out batch");
+    CHECK(kept.status == 6);
+    CHECK(kept.out.empty());
+    CHECK(read_scratch("batch/answers.csv") == plain.out);
+    CHECK_FALSE(scratch_exists("batch/answers.unfinished"));
+    CHECK(run("--resume batch").status == 6);
+    CHECK(run("-q --radius 40:60:1um --out sweep").status == 0);
+    CHECK(read_scratch("sweep/answers.csv") == run("--radius 40:60:1um --format csv").out);
+    CHECK(run("--batch - --out stream").status == 2);
+    CHECK(run("--batch kept.csv --format table --out table").status == 2);
+    CHECK(run("--resume batch --format json").status == 2);
+}
+
+TEST_CASE("long run: an input that has changed is not mixed with what was answered before") {
+    write_scratch("changing.csv", "radius [um]\n50\n");
+    CHECK(run("-q --batch changing.csv --out changing").status == 0);
+    write_scratch("changing.csv", "radius [um]\n60\n");
+    const Outcome outcome = run("--resume changing");
+    CHECK(outcome.status == 4);
+    CHECK(is_one_line(outcome.err));
+    CHECK(contains(outcome.err, "has changed since the run in changing began"));
+}

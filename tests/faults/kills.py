@@ -18,7 +18,7 @@ import tempfile
 import time
 
 MOST_KILLS = 3  # of one run
-NO_RUN = 2      # killed before the question was written: there is nothing to take up
+SOME_REFUSED = 6  # status
 
 
 def timeless(answer):
@@ -39,11 +39,23 @@ def content(directory):
     return files
 
 
+def write_rows(path):
+    """A batch of a user's: own columns, empty lines, rows that are refused, quotes."""
+    with open(path, "w", newline="") as file:
+        file.write('run,"note, free",radius [um],alpha\r\n')
+        for i in range(12000):
+            if i % 997 == 0:
+                file.write("\r\n")
+            alpha = "2" if i % 1009 == 0 else f"0.{i % 90:02}"
+            file.write(f'{i},"said ""{i}""",{30 + i % 50},{alpha}\r\n')
+
+
 class Kind:
     """One kind of run: what is asked, and what it gives when nobody interferes."""
 
-    def __init__(self, program, name, options, scratch):
+    def __init__(self, program, name, options, scratch, end=0):
         self.program, self.name, self.options, self.scratch = program, name, options, scratch
+        self.end = end  # the status it ends with
         reference = scratch / f"{name}-reference"
         begin = time.monotonic()
         self.call("--out", reference)
@@ -74,7 +86,7 @@ class Kind:
             run.communicate()
             verb = "--resume" if (directory / "question.json").exists() else "--out"
         status, complaint = self.call(verb, directory)
-        if status != 0:
+        if status != self.end:
             raise AssertionError(f"{self.name}: {verb} ended with {status}: {complaint}")
         found = content(directory)
         for name in sorted(set(found) | set(self.content)):
@@ -92,9 +104,18 @@ def main():
     rng = random.Random(given.seed)
     with tempfile.TemporaryDirectory(prefix="bioprint-kills-") as name:
         scratch = pathlib.Path(name)
-        kinds = [Kind(given.program, "exit", ["--simulate=exit", "--resolution", "3"], scratch),
+        rows, lines = scratch / "rows.csv", scratch / "rows.jsonl"
+        write_rows(rows)
+        lines.write_text("".join(f'{{"radius": {i}e-6, "velocity": 0.005}}\n' for i in range(20, 4020)))
+        steady = ["--model", "steady"]
+        kinds = [Kind(given.program, "batch", ["--batch", rows, *steady], scratch, SOME_REFUSED),
+                 Kind(given.program, "exit", ["--simulate=exit", "--resolution", "3"], scratch),
                  Kind(given.program, "exit-flow", ["--simulate=exit-flow", "--resolution", "4"], scratch),
-                 Kind(given.program, "channel", ["--simulate=channel", "--resolution", "6"], scratch)]
+                 Kind(given.program, "json batch", ["--batch", lines, "--format", "json", *steady], scratch),
+                 Kind(given.program, "channel", ["--simulate=channel", "--resolution", "6"], scratch),
+                 Kind(given.program, "sweep", ["--radius", "40um:80um:0.01um", *steady], scratch),
+                 Kind(given.program, "off axis", ["--simulate=channel", "--offset", "1.5Rc", "--resolution", "3",
+                                                  "--channel-time", "2ms", "--snapshots", "4"], scratch)]
         total = {kind.name: [0, 0] for kind in kinds}
         failures = []
         for i in range(given.repeats):

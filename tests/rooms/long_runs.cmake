@@ -4,9 +4,20 @@ bioprint_tests(cli_long_runs
 add_dependencies(test_cli_long_runs bioprint-predict)
 target_compile_definitions(test_cli_long_runs PRIVATE BIOPRINT_PROGRAM="$<TARGET_FILE:bioprint-predict>")
 
+# With the system's own Python, which has python3-meshio.
+find_program(BIOPRINT_SYSTEM_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH REQUIRED)
+add_test(NAME pictures COMMAND ${BIOPRINT_SYSTEM_PYTHON} ${PROJECT_SOURCE_DIR}/tests/pictures/pictures.py
+  $<TARGET_FILE:bioprint-predict>)
+set_tests_properties(pictures PROPERTIES LABELS "slow")
+
+# A full disk, no place to write, two runs at once.
+add_test(NAME faults COMMAND ${BIOPRINT_SYSTEM_PYTHON} ${PROJECT_SOURCE_DIR}/tests/faults/faults.py
+  $<TARGET_FILE:bioprint-predict>)
+set_tests_properties(faults PROPERTIES LABELS "slow")
+
 # Killed at random moments and taken up again: a few times here, 200 times by hand.
-add_test(NAME kills COMMAND python3 ${PROJECT_SOURCE_DIR}/tests/faults/kills.py $<TARGET_FILE:bioprint-predict> --repeats 6)
+add_test(NAME kills COMMAND ${BIOPRINT_SYSTEM_PYTHON} ${PROJECT_SOURCE_DIR}/tests/faults/kills.py $<TARGET_FILE:bioprint-predict> --repeats 6)
 set_tests_properties(kills PROPERTIES LABELS "slow")
 add_test(NAME kills_campaign
-  COMMAND python3 ${PROJECT_SOURCE_DIR}/tests/faults/kills.py $<TARGET_FILE:bioprint-predict> --repeats 200)
+  COMMAND ${BIOPRINT_SYSTEM_PYTHON} ${PROJECT_SOURCE_DIR}/tests/faults/kills.py $<TARGET_FILE:bioprint-predict> --repeats 200)
 set_tests_properties(kills_campaign PROPERTIES LABELS "campaign")

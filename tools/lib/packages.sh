@@ -21,6 +21,7 @@ test_packages=(
     librapidcheck-dev  # property tests
     libvalijson-dev    # answers against their JSON Schema
     libudunits2-dev    # oracle of the unit table
+    python3-meshio     # reads ParaView files
     clang-format clang-tidy
     git jq man-db mandoc python3 shellcheck
 )

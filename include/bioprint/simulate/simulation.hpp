@@ -8,6 +8,7 @@
 
 #include "bioprint/errors.hpp"
 #include "bioprint/rheology/cross.hpp"
+#include "bioprint/simulate/snapshot.hpp"
 
 /// Simulation of one scene: lattice Boltzmann flow of the ink, and a neo-Hookean cell in it where the scene
 /// has one.
@@ -83,9 +84,14 @@ struct SimulationOptions {
     double mesh_spacing = 1.52;       ///< lattice spacings an element
     std::function<void(const SimulationProgress&)> progress = {};
     const std::atomic<bool>* cancel = nullptr;
-    /// Called now and then, from the thread that computes, with what a later call can resume from.
+    /// Called `snapshots` times on the way of each stage and at its ends, from the thread that computes. The exit's
+    /// way is that of the cell, the strand's the logarithm of its stress.
+    std::function<void(const SimulationSnapshot&)> snapshot = {};
+    int snapshots = 20;
+    /// Called now and then and at the end, from the thread that computes, with what a later call can resume
+    /// from.
     std::function<void(const SimulationState&)> checkpoint = {};
-    double checkpoint_interval = 10.0;        ///< [s] of wall time
+    double checkpoint_interval = 10.0;  ///< [s] of wall time; a cancelled run hands out its state at once
     const SimulationState* resume = nullptr;  ///< of the same scene and options
 };
 
