@@ -8,14 +8,15 @@ namespace bioprint {
 ExitField::ExitField(const NozzleFlow& flow)
     : axis_(flow), radius_(flow.radius()), velocity_average_(flow.velocity_average()) {
     const double h = radius_ / static_cast<double>(size - 1);
-    const auto slope = [&](double r) { return (flow.velocity(r) - velocity_average_) * r; };
-    double sum = 0.0;
     for (std::size_t i = 0; i < size; ++i) {
         const double r = h * static_cast<double>(i);
-        if (i > 0) sum += h / 6.0 * (slope(r - h) + 4.0 * slope(r - 0.5 * h) + slope(r));
-        knots_[i] = {.value = sum,
-                     .slope = slope(r),
-                     .bend = flow.velocity(r) - velocity_average_ - r * flow.shear_rate(r)};
+        const double excess = flow.velocity(r) - velocity_average_;
+        knots_[i] = {.value = 0.0, .slope = excess * r, .bend = excess - r * flow.shear_rate(r)};
+        if (i == 0) continue;
+        // The trapezoidal rule with its correction by the slopes at the ends: of fourth order.
+        const Excess& a = knots_[i - 1];
+        const Excess& b = knots_[i];
+        knots_[i].value = a.value + 0.5 * h * (a.slope + b.slope) + h * h / 12.0 * (a.bend - b.bend);
     }
 }
 
