@@ -13,10 +13,10 @@ ExitField::ExitField(const NozzleFlow& flow)
         const double excess = flow.velocity(r) - velocity_average_;
         knots_[i] = {.value = 0.0, .slope = excess * r, .bend = excess - r * flow.shear_rate(r)};
         if (i == 0) continue;
-        // The trapezoidal rule with its correction by the slopes at the ends: of fourth order.
-        const Excess& a = knots_[i - 1];
-        const Excess& b = knots_[i];
-        knots_[i].value = a.value + 0.5 * h * (a.slope + b.slope) + h * h / 12.0 * (a.bend - b.bend);
+        const double middle = r - 0.5 * h;
+        const double between = (flow.velocity(middle) - velocity_average_) * middle;
+        knots_[i].value =
+            knots_[i - 1].value + h / 6.0 * (knots_[i - 1].slope + 4.0 * between + knots_[i].slope);
     }
 }
 
