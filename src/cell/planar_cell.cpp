@@ -67,7 +67,9 @@ struct Inside {
 
 Inside inside(const PlanarCell& cell, const PlanarFlow& flow, const Principal& p) {
     const std::array<double, 3> q = squares_of(p.excess);
-    const ShapeIntegrals shape = shape_integrals_brief(q);
+    // Needles and discs are differences of nearly equal integrals.
+    const bool moderate = std::max(q[0], q[2]) < 100.0;
+    const ShapeIntegrals shape = moderate ? shape_integrals_brief(q) : shape_integrals(q);
     const auto& g = shape.second;
     const Turned e = turned(flow, p);
     const std::array<double, 3> rate{e.d11, e.d22, flow.tt};

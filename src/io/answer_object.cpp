@@ -7,6 +7,7 @@
 
 #include "bioprint/errors.hpp"
 #include "bioprint/io/answer.hpp"
+#include "io/published_limits.hpp"
 
 namespace bioprint {
 namespace {
@@ -184,7 +185,8 @@ Json distribution_object(const Distribution& d) {
         .take();
 }
 
-Json population_object(const Population& population, const std::vector<double>& thresholds) {
+Json population_object(const Population& population, const Case& question) {
+    const std::vector<double>& thresholds = question.thresholds;
     Json shares = Json::array();
     for (std::size_t i = 0; i < thresholds.size(); ++i) {
         shares.push_back(ObjectBuilder()
@@ -197,6 +199,7 @@ Json population_object(const Population& population, const std::vector<double>& 
         .add("share_peaking_at_exit", number(population.share_peaking_at_exit))
         .add("thresholds", std::move(shares))
         .add("exposure", population.exposure ? distribution_object(*population.exposure) : Json(nullptr))
+        .add("published", published_object(published_limits(question.cell.name)))
         .take();
 }
 
@@ -257,7 +260,7 @@ Json answer_object(const Prediction& prediction) {
         answer.add("passages", std::move(passages));
     }
     if (prediction.population) {
-        answer.add("population", population_object(*prediction.population, prediction.question.thresholds));
+        answer.add("population", population_object(*prediction.population, prediction.question));
     }
     if (prediction.profile) answer.add("profile", profile_object(*prediction.profile));
     return answer.add("warnings", std::move(warnings)).take();
@@ -313,7 +316,7 @@ const Json& value_at(const Json& answer, std::string_view path) {
 }
 
 std::string_view unit_of(std::string_view path) {
-    static constexpr std::array<std::pair<std::string_view, std::string_view>, 39> units = {{
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 41> units = {{
         {"radius", "m"},
         {"length", "m"},
         {"offsets", "m"},
@@ -352,6 +355,8 @@ std::string_view unit_of(std::string_view path) {
         {"von_mises_peak", "Pa"},
         {"von_mises_settled", "Pa"},
         {"settling_time", "s"},
+        {"wall_stress", "Pa"},
+        {"duration", "s"},
         {"exposure", "Pa.s"},
     }};
     if (path.starts_with("population.peak_stress.")) return "Pa";

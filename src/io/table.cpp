@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "bioprint/io/number_format.hpp"
+#include "io/published_limits.hpp"
 
 namespace bioprint {
 namespace {
@@ -219,8 +220,25 @@ std::string passages_section(const Prediction& prediction, TableStyle style) {
     return "\n" + heading("Way of each cell: its largest von Mises stress, and where", style) + grid(rows, 0);
 }
 
-std::string population_section(const Population& population, const std::vector<double>& thresholds,
-                               TableStyle style) {
+/// What is known of these cells elsewhere, and the same two quantities of this print beside it.
+std::string published_text(const Prediction& prediction) {
+    const std::vector<PublishedLimit> limits = published_limits(prediction.question.cell.name);
+    if (limits.empty()) return {};
+    std::string text = "published for " + prediction.question.cell.name + ", as context:";
+    for (const PublishedLimit& limit : limits) {
+        text += " " + plain(100.0 * limit.viability, 3) + " % survive a wall stress of " +
+                lab(limit.wall_stress, Dimension::pressure) + " for " + lab(limit.duration, Dimension::time) +
+                ";";
+    }
+    const NozzleAnswer& nozzle = prediction.nozzle;
+    text += " here the wall stress is " + lab(nozzle.stress_max, Dimension::pressure);
+    if (nozzle.residence_time) text += ", the mean residence " + lab(*nozzle.residence_time, Dimension::time);
+    return "  " + wrapped(text + " (" + limits.front().source + ")", 2) + "\n";
+}
+
+std::string population_section(const Prediction& prediction, TableStyle style) {
+    const Population& population = *prediction.population;
+    const std::vector<double>& thresholds = prediction.question.thresholds;
     std::vector<std::vector<std::string>> rows = {{"", "mean", "median", "90 %", "95 %", "99 %", "largest"}};
     const auto row = [&](const char* name, const Distribution& d, const auto& show) {
         rows.push_back({name, show(d.mean), show(d.median), show(d.percentile_90), show(d.percentile_95),
@@ -236,7 +254,7 @@ std::string population_section(const Population& population, const std::vector<d
                 plain(100.0 * population.share_above.at(i), 3) + " % of the cells\n";
     }
     return text + "  " + plain(100.0 * population.share_peaking_at_exit, 3) +
-           " % of the cells bear their largest stress at the exit\n";
+           " % of the cells bear their largest stress at the exit\n" + published_text(prediction);
 }
 
 std::string profile_section(const RadialProfile& profile, TableStyle style) {
@@ -297,7 +315,7 @@ std::string answer_table(const Prediction& prediction, TableStyle style) {
                       exit_section(prediction.exit, style) + cells_section(prediction, style) +
                       passages_section(prediction, style);
     if (prediction.population) {
-        out += population_section(*prediction.population, prediction.question.thresholds, style);
+        out += population_section(prediction, style);
     }
     if (prediction.profile) out += profile_section(*prediction.profile, style);
     return out + notes_section(prediction.warnings, style);

@@ -20,14 +20,15 @@ ExitField::ExitField(const NozzleFlow& flow)
       velocity_average_(flow.velocity_average()),
       sharpening_(sharpest - thinning_dulls * (1.0 - exit_kind(flow).index)) {
     const double h = radius_ / static_cast<double>(size - 1);
-    const auto slope = [&](double r) { return (flow.velocity(r) - velocity_average_) * r; };
-    double sum = 0.0;
     for (std::size_t i = 0; i < size; ++i) {
         const double r = h * static_cast<double>(i);
-        if (i > 0) sum += h / 6.0 * (slope(r - h) + 4.0 * slope(r - 0.5 * h) + slope(r));
-        knots_[i] = {.value = sum,
-                     .slope = slope(r),
-                     .bend = flow.velocity(r) - velocity_average_ - r * flow.shear_rate(r)};
+        const double excess = flow.velocity(r) - velocity_average_;
+        knots_[i] = {.value = 0.0, .slope = excess * r, .bend = excess - r * flow.shear_rate(r)};
+        if (i == 0) continue;
+        const double middle = r - 0.5 * h;
+        const double between = (flow.velocity(middle) - velocity_average_) * middle;
+        knots_[i].value =
+            knots_[i - 1].value + h / 6.0 * (knots_[i - 1].slope + 4.0 * between + knots_[i].slope);
     }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 namespace bioprint {
 
@@ -30,13 +31,15 @@ class Scan {
             integral_ += (to - from) / parts * (start + 4.0 * b * weight(low + half) + end) / 6.0;
             start = end;
             last_ = c;
-            if (!(std::max(b, c) > top_.value)) continue;
-            // The top of the parabola through the three.
+            // A top may lie just behind a, which then is the largest so far.
             const double bend = a - 2.0 * b + c;
             const double lean = c - a;
-            const double place = bend < 0.0 ? std::clamp(-0.5 * lean / bend, -1.0, 1.0) : (c > b ? 1.0 : 0.0);
-            const double theta = low + half * (1.0 + place);
-            const double top = place == 1.0 ? c : value(theta);
+            const bool peaks = bend < 0.0 && std::abs(lean) < -2.0 * bend;
+            const double guess = peaks ? b - 0.125 * lean * lean / bend : std::max(b, c);
+            if (!(guess > top_.value)) continue;
+            const double theta = peaks ? refined(value, low + half * (1.0 - 0.5 * lean / bend), 0.15 * half)
+                                       : low + (c > b ? 2.0 * half : half);
+            const double top = value(theta);
             if (top > top_.value) top_ = {.at = from + theta * (to - from), .value = top};
         }
     }
@@ -46,6 +49,17 @@ class Scan {
     [[nodiscard]] double last() const { return last_; }
 
   private:
+    /// The top of a parabola through places closer together: the first one is as coarse as the step.
+    template <typename Value>
+    static double refined(const Value& value, double theta, double half) {
+        const double middle = std::clamp(theta, half, 1.0 - half);
+        const double a = value(middle - half);
+        const double c = value(middle + half);
+        const double bend = a - 2.0 * value(middle) + c;
+        if (!(bend < 0.0)) return middle;
+        return std::clamp(middle - 0.5 * half * (c - a) / bend, 0.0, 1.0);
+    }
+
     Top top_;
     double last_;
     double integral_ = 0.0;

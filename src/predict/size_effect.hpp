@@ -65,7 +65,7 @@ class SizeEffect {
     [[nodiscard]] static PlanarStrain stretched(const PlanarStrain& strain, double log_stretch);
 
   private:
-    static constexpr std::size_t knots = 277;  // 24 a radius
+    static constexpr std::size_t knots = 139;  // 12 a radius
     std::array<Effect, knots> value_{};
     double first_ = 0.0;
     double step_ = 0.0;

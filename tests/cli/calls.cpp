@@ -195,6 +195,13 @@ TEST_CASE("command: the population is asked for with thresholds") {
     CHECK(population["thresholds"][0]["share_above"] < population["thresholds"][1]["share_above"]);
     CHECK(population["peak_stress"]["median"] < population["peak_stress"]["percentile_99"]);
     CHECK(population["exposure"]["mean"] > 0.0);
+    CHECK(population["published"].empty());  // the reference cell is a model
+    const json hela =
+        json::parse(run("--population --cell hela --shear-modulus 1kPa --json").out)["population"];
+    CHECK(hela["published"][0]["wall_stress"] == 4240.0);
+    CHECK(contains(hela["published"][0]["source"].get<std::string>(), "Zhang"));
+    CHECK(
+        contains(run("--population --cell hela --shear-modulus 1kPa").out, "published for hela, as context"));
     CHECK(run("--threshold 1kPa").status == 2);
     CHECK(contains(run("--population --alpha 0,0.5 --format csv").out,
                    "population.peak_stress.percentile_95 [Pa]"));

@@ -3,5 +3,11 @@ bioprint_tests(exit_passage
     ${PROJECT_SOURCE_DIR}/src/predict/exit_simulated.cpp
   LINKS predict cell flow rheology numerics)
 
+# The population against cells drawn at random.
+bioprint_tests(population_monte_carlo
+  SOURCES verify/population_monte_carlo.cpp
+  LINKS predict cell flow rheology numerics
+  LABELS slow)
+
 add_executable(bench_exit_passage bench/exit_passage.cpp)
 target_link_libraries(bench_exit_passage PRIVATE bioprint_predict bioprint_options)
