@@ -38,10 +38,12 @@ std::string_view law_name(const Ink& ink) {
     return names[ink.index()];
 }
 
-const CrossInk& cross_law(const Ink& ink, std::string_view who) {
+const CrossInk& cross_law(const Ink& ink) {
     if (const auto* law = std::get_if<CrossInk>(&ink)) return *law;
-    throw UsageError(std::string(who) + ": knows inks by the Cross law only, and this one follows the " +
-                     std::string(law_name(ink)) + " law");
+    throw UsageError("--simulate: knows inks by the Cross law only, and this one follows the " +
+                         std::string(law_name(ink)) +
+                         " law; predict it without --simulate, or fit a Cross law to it",
+                     "--simulate");
 }
 
 }  // namespace bioprint

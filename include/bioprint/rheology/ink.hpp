@@ -27,8 +27,8 @@ double yield_stress(const Ink& ink);
 /// "cross", "power-law", "carreau-yasuda" or "herschel-bulkley".
 std::string_view law_name(const Ink& ink);
 
-/// The Cross law, for what knows no other.
-/// @throws UsageError  the ink follows another law; `who` names what asked
-const CrossInk& cross_law(const Ink& ink, std::string_view who);
+/// The Cross law, for the simulation, which knows no other.
+/// @throws UsageError  the ink follows another law
+const CrossInk& cross_law(const Ink& ink);
 
 }  // namespace bioprint
