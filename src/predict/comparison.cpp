@@ -20,7 +20,7 @@ Values predicted_exit_flow(const Prediction& prediction) {
 BulletState bullet_of(const Prediction& prediction) {
     const Case& question = prediction.question;
     return bullet({.pressure_gradient = prediction.nozzle.pressure_gradient,
-                   .viscosity = viscosity(question.ink.law, 0.0),
+                   .viscosity = viscosity(cross_law(question.ink.law), 0.0),
                    .cell_radius = question.cell.radius,
                    .shear_modulus = question.cell.shear_modulus});
 }
@@ -53,7 +53,7 @@ Values predicted_exit(const Prediction& prediction) {
         // The prediction itself says that the cell could not be followed.
     }
     values["relaxation_time"] =
-        relaxation_time(viscosity(question.ink.law, 0.0), question.cell.shear_modulus, 1.0);
+        relaxation_time(viscosity(cross_law(question.ink.law), 0.0), question.cell.shear_modulus, 1.0);
     return values;
 }
 
@@ -91,7 +91,7 @@ Comparison compare_with_simulation(const Prediction& prediction, SceneKind scene
     return compare(
         prediction,
         simulate({.kind = scene,
-                  .ink = question.ink.law,
+                  .ink = cross_law(question.ink.law),
                   .nozzle_radius = question.radius,
                   .velocity_average = prediction.nozzle.velocity_average,
                   .cell = {.radius = question.cell.radius, .shear_modulus = question.cell.shear_modulus}},

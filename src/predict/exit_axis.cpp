@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "predict/exit_axis_table.hpp"
+#include "predict/exit_kind.hpp"
 
 namespace bioprint {
 namespace {
@@ -90,8 +91,12 @@ ExitAxis::ExitAxis(const NozzleFlow& flow)
       velocity_average_(flow.velocity_average()),
       velocity_excess_(flow.velocity_excess()),
       pressure_gradient_(flow.pressure_gradient()) {
-    const double alpha = flow.ink().alpha;
-    const double rate = flow.ink().time_constant * velocity_average_ / radius_;
+    // An ink of another law has the exit of the Cross ink that is deep in its thinning and runs ahead in the middle
+    // as much.
+    const auto* cross = std::get_if<CrossInk>(&flow.ink());
+    const double alpha = cross != nullptr ? cross->alpha : 1.0 - exit_kind(flow).index;
+    const double rate =
+        cross != nullptr ? cross->time_constant * velocity_average_ / radius_ : exit_rates.back();
     extrapolated_ = alpha > exit_alphas.back() || (alpha > 0.0 && rate > exit_rates.back());
     const ExitShape s = exit_shape(alpha, rate);
     for (std::size_t i = 0; i < size; ++i) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "predict/resting_ink.hpp"
+
 namespace bioprint {
 namespace {
 
@@ -12,10 +14,11 @@ enum Column : std::size_t { xx, xr, rx, tt, thick, radius, slowness, viscous, st
 
 }  // namespace
 
-StreamlinePath::StreamlinePath(const ExitField& field, const CrossInk& ink, double start_radius)
+StreamlinePath::StreamlinePath(const ExitField& field, const NozzleFlow& flow, double start_radius)
     : scale_(fine * field.radius()),
       first_(std::asinh(-before / fine)),
       step_((std::asinh(after / fine) - first_) / static_cast<double>(knots - 1)) {
+    const double least = least_rate(flow);
     double r = field.streamline(start_radius, -before * field.radius());
     const double stream = field.nozzle_flux(start_radius);
     double drift = 0.0;  // dr/ds
@@ -38,7 +41,7 @@ StreamlinePath::StreamlinePath(const ExitField& field, const CrossInk& ink, doub
         drift_before = drift;
         drift = p.radial_velocity * per_s;
         velocity = p.axial_velocity;
-        const double eta = viscosity(ink, p.rate);
+        const double eta = viscosity(flow.ink(), std::max(p.rate, least));
         value_[i] = {p.gradient[0][0] * per_s,
                      p.gradient[0][1] * per_s,
                      p.gradient[1][0] * per_s,

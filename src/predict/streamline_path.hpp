@@ -24,7 +24,7 @@ class StreamlinePath {
     static constexpr double after = 7.5;
 
     /// @param start_radius  far up in the nozzle [m], 0 ≤ r < R
-    StreamlinePath(const ExitField& field, const CrossInk& ink, double start_radius);
+    StreamlinePath(const ExitField& field, const NozzleFlow& flow, double start_radius);
 
     /// The s of a distance from the lip [m], and back.
     [[nodiscard]] double at_position(double x) const;

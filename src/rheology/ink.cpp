@@ -1,6 +1,7 @@
 #include "bioprint/rheology/ink.hpp"
 
 #include <array>
+#include <cmath>
 #include <string>
 
 #include "bioprint/errors.hpp"
@@ -30,6 +31,11 @@ double rate_at_stress(const Ink& ink, double stress) {
 double yield_stress(const Ink& ink) {
     const auto* yielding = std::get_if<HerschelBulkleyInk>(&ink);
     return yielding == nullptr ? 0.0 : yielding->yield_stress;
+}
+
+bool has_rest_viscosity(const Ink& ink) {
+    const double eta = viscosity(ink, 0.0);
+    return eta > 0.0 && std::isfinite(eta);
 }
 
 std::string_view law_name(const Ink& ink) {

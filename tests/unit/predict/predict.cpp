@@ -17,7 +17,7 @@ Case paper_case(double alpha = 0.75) {
         .length = std::nullopt,
         .drive = Drive::velocity,
         .drive_value = 5e-3,
-        .ink = {.name = "test", .source = "", .law = {.eta0 = 10.0, .time_constant = 0.05, .alpha = alpha}},
+        .ink = {.name = "test", .source = "", .law = CrossInk{.eta0 = 10.0, .time_constant = 0.05, .alpha = alpha}},
         .cell = {.name = "test", .source = "", .radius = 8e-6, .shear_modulus = 1e3},
         .positions = {},
         .needle = std::nullopt};
@@ -67,7 +67,7 @@ TEST_CASE("predict: the load of a cell is the stress of the ink whatever the ink
     question.drive = Drive::pressure_gradient;
     question.drive_value = 2e7;
     const Prediction newtonian = predict(question);
-    question.ink.law.alpha = 0.75;
+    cross(question).alpha = 0.75;
     const Prediction thinning = predict(question);
     CHECK(newtonian.cells[4].stress->von_mises ==
           doctest::Approx(thinning.cells[4].stress->von_mises).epsilon(1e-12));
@@ -170,7 +170,7 @@ TEST_CASE("predict: results outside the checked range carry a warning") {
     CHECK(warns(predict(tapered), "tapered_tip"));
 
     Case fast = paper_case();
-    fast.ink.law.eta0 = 1e-3;
+    cross(fast).eta0 = 1e-3;
     fast.drive_value = 1.0;
     CHECK(warns(predict(fast), "inertia"));
 
@@ -183,8 +183,8 @@ TEST_CASE("predict: results outside the checked range carry a warning") {
 TEST_CASE("predict: every problem of a case is told at once") {
     Case question = paper_case();
     question.radius = -1.0;
-    question.ink.law.eta0 = 0.0;
-    question.ink.law.alpha = -0.5;
+    cross(question).eta0 = 0.0;
+    cross(question).alpha = -0.5;
     question.cell.poisson_ratio = 0.5;
     CHECK(problems_of(question).size() == 4);
     CHECK_THROWS_AS(predict(question), UsageError);

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "bioprint/flow/nozzle_flow.hpp"
+
+/// Inks that have no viscosity at rest, in models that ask for one: power law, yield stress.
+namespace bioprint {
+
+/// Rates below it are taken as it [1/s]: a millionth of u_avg/R, at which such an ink holds a cell as it is; 0 for an
+/// ink with a viscosity at rest.
+inline double least_rate(const NozzleFlow& flow) {
+    return has_rest_viscosity(flow.ink()) ? 0.0 : 1e-6 * flow.velocity_average() / flow.radius();
+}
+
+/// Whether a cell about the axis travels wholly inside the plug of an ink with a yield stress, where nothing shears it.
+inline bool inside_plug(const NozzleFlow& flow, double cell_radius) {
+    return flow.plug_radius() > 0.0 && flow.plug_radius() >= cell_radius;
+}
+
+}  // namespace bioprint
