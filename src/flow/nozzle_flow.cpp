@@ -83,8 +83,7 @@ void require_yielding(const Ink& ink, double radius, double gradient) {
     if (yield == 0.0 || gradient == 0.0 || 0.5 * gradient * radius > yield) return;
     throw NoSteadyFlow("no flow: the stress at the wall would be " + brief(0.5 * gradient * radius) +
                        " Pa, not above this ink's yield stress of " + brief(yield) +
-                       " Pa; it flows from a pressure gradient of " + brief(2.0 * yield / radius) +
-                       " Pa/m on");
+                       " Pa; it flows above a pressure gradient of " + brief(2.0 * yield / radius) + " Pa/m");
 }
 
 double area(double radius) {

@@ -104,25 +104,10 @@ std::optional<Unit> find_name(std::string_view name) {
 /// The spellings Unicode offers, in ASCII: both micro signs (and the one byte of Latin-1), superscripts, the
 /// product dots, the minus sign, the wide spaces.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 19> ascii_forms = {{
-    {"\u00B5", "u"},
-    {"\u03BC", "u"},
-    {"\u00B7", "."},
-    {"\u22C5", "."},
-    {"\u00D7", "."},
-    {"\u2212", "-"},
-    {"\u207B", "-"},
-    {"s^n", "sn"},
-    {"\u207F", "n"},
-    {"\u00B9", "1"},
-    {"\u00B2", "2"},
-    {"\u00B3", "3"},
-    {"\u2044", "/"},
-    {"\u2215", "/"},
-    {"\u00A0", " "},
-    {"\u202F", " "},
-    {"\u2009", " "},
-    {"\t", " "},
-    {"\xB5", "u"},
+    {"\u00B5", "u"}, {"\u03BC", "u"}, {"\u00B7", "."}, {"\u22C5", "."}, {"\u00D7", "."},
+    {"\u2212", "-"}, {"\u207B", "-"}, {"s^n", "sn"},   {"\u207F", "n"}, {"\u00B9", "1"},
+    {"\u00B2", "2"}, {"\u00B3", "3"}, {"\u2044", "/"}, {"\u2215", "/"}, {"\u00A0", " "},
+    {"\u202F", " "}, {"\u2009", " "}, {"\t", " "},     {"\xB5", "u"},
 }};
 
 std::string to_ascii(std::string_view text) {
@@ -259,9 +244,10 @@ Powers powers_of(Dimension dimension) {
 }
 
 std::string_view kind_name(const Powers& powers) {
-    for (const auto dimension : {Dimension::dimensionless, Dimension::length, Dimension::volume_flow,
-                                 Dimension::velocity, Dimension::pressure, Dimension::pressure_gradient,
-                                 Dimension::viscosity, Dimension::time, Dimension::rate, Dimension::consistency}) {
+    for (const auto dimension :
+         {Dimension::dimensionless, Dimension::length, Dimension::volume_flow, Dimension::velocity,
+          Dimension::pressure, Dimension::pressure_gradient, Dimension::viscosity, Dimension::time,
+          Dimension::rate, Dimension::consistency}) {
         if (powers == powers_of(dimension)) return dimension_name(dimension);
     }
     if (powers == Powers{.metre = 2}) return "an area";

@@ -1,6 +1,7 @@
 #include "bioprint/predict/exit_passage.hpp"
 
 #include "predict/exit_axis.hpp"
+#include "predict/resting_ink.hpp"
 
 namespace bioprint {
 namespace {
@@ -17,6 +18,8 @@ ExitPassageRequest exit_passage_request(const NozzleFlow& flow, const AxisCell& 
     if (flow.pressure_gradient() * cell.radius > softest_bullet * cell.shear_modulus) {
         request.effects.quadratic_flow = false;
     }
+    // A plug that holds the whole cell has no curvature to bend it.
+    if (inside_plug(flow, cell.radius)) request.effects.quadratic_flow = false;
     return request;
 }
 

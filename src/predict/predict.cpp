@@ -9,6 +9,7 @@
 #include "bioprint/flow/nozzle_flow.hpp"
 #include "bioprint/predict/exit_passage.hpp"
 #include "bioprint/predict/prediction.hpp"
+#include "numerics/brief.hpp"
 #include "predict/resting_ink.hpp"
 #include "predict/warnings.hpp"
 
@@ -23,7 +24,19 @@ void require_sound(const Case& question) {
     throw UsageError(message);
 }
 
+/// A pressure that does not move the ink, in the words of the question.
+void require_yielding(const Case& question) {
+    const double yield = yield_stress(question.ink.law);
+    if (question.drive != Drive::pressure || yield == 0.0 || question.drive_value == 0.0) return;
+    const double threshold = 2.0 * yield * question.length.value() / question.radius;
+    if (question.drive_value > threshold) return;
+    throw NoSteadyFlow("no flow: a pressure of " + brief(question.drive_value) +
+                       " Pa over this nozzle stays within the ink's yield stress of " + brief(yield) +
+                       " Pa; it flows above " + brief(threshold) + " Pa");
+}
+
 NozzleFlow flow_of(const Case& question) {
+    require_yielding(question);
     const Ink& law = question.ink.law;
     switch (question.drive) {
         case Drive::flow_rate:
@@ -167,7 +180,7 @@ void add_exit_passage(const NozzleFlow& flow, Prediction& prediction) {
                                         .shear_modulus = cell.shear_modulus,
                                         .viscosity_ratio = cell.viscosity_ratio});
         const ExitPassage exit = exit_passage(flow, request);
-        if (!request.effects.quadratic_flow) {
+        if (!request.effects.quadratic_flow && !inside_plug(flow, cell.radius)) {
             prediction.warnings.push_back(
                 {"no_bullet",
                  "this cell is too soft to keep a shape in the nozzle (G R_c/μ above 1.3): the ellipsoid "

@@ -9,6 +9,7 @@
 #include "bioprint/cell/roscoe.hpp"
 #include "bioprint/flow/nozzle_exit.hpp"
 #include "numerics/brief.hpp"
+#include "predict/law_warnings.hpp"
 
 namespace bioprint {
 namespace {
@@ -149,11 +150,12 @@ void check_exit(const Prediction& prediction, const NozzleFlow& flow, Collector&
                          "; the cell passes before it could collapse" + carried);
             continue;
         }
+        if (flow.velocity_average() == 0.0) continue;
         const double passage = 2.0 * flow.radius() / flow.velocity_average();
         const double response =
             relaxation_time(viscosity(flow.ink(), std::numbers::sqrt3 * prediction.exit.elongation_rate),
                             question.cell.shear_modulus, question.cell.viscosity_ratio);
-        if (flow.velocity_average() > 0.0 && response > slow_cell_share * passage) {
+        if (response > slow_cell_share * passage) {
             warn.add("exit_transient", "the cell passes the exit in " + brief(passage * 1e3) +
                                            " ms and needs " + brief(response * 1e3) +
                                            " ms to follow the load: the steady entry is not what it bears" +
@@ -174,6 +176,7 @@ std::vector<Warning> warnings_of(const Prediction& prediction, const NozzleFlow&
     check_positions(prediction, warn);
     check_stress_ratios(prediction, warn);
     check_exit(prediction, flow, warn);
+    add_law_warnings(prediction, flow, warnings);
     return warnings;
 }
 

@@ -12,15 +12,20 @@ namespace {
 
 /// The paper's case: R 50 µm, 5 mm/s, η0 10 Pa s, K 0.05 s, α 0.75, cell of 8 µm and 1 kPa.
 Case paper_case(double alpha = 0.75) {
-    return {
-        .radius = 50e-6,
-        .length = std::nullopt,
-        .drive = Drive::velocity,
-        .drive_value = 5e-3,
-        .ink = {.name = "test", .source = "", .law = CrossInk{.eta0 = 10.0, .time_constant = 0.05, .alpha = alpha}},
-        .cell = {.name = "test", .source = "", .radius = 8e-6, .shear_modulus = 1e3},
-        .positions = {},
-        .needle = std::nullopt};
+    return {.radius = 50e-6,
+            .length = std::nullopt,
+            .drive = Drive::velocity,
+            .drive_value = 5e-3,
+            .ink = {.name = "test",
+                    .source = "",
+                    .law = CrossInk{.eta0 = 10.0, .time_constant = 0.05, .alpha = alpha}},
+            .cell = {.name = "test", .source = "", .radius = 8e-6, .shear_modulus = 1e3},
+            .positions = {},
+            .needle = std::nullopt};
+}
+
+CrossInk& cross(Case& question) {
+    return std::get<CrossInk>(question.ink.law);
 }
 
 bool warns(const Prediction& prediction, const std::string& code) {
