@@ -53,10 +53,14 @@ class StreamlinePath {
     };
     [[nodiscard]] Spot spot(double s) const;
     [[nodiscard]] double read(const Spot& at, std::size_t column) const;
+    /// Of a viscosity.
+    [[nodiscard]] double read_positive(const Spot& at, std::size_t column) const;
 
     double scale_;
     double first_;
     double step_;
+    bool
+        logarithmic_;  ///< an ink without a viscosity at rest passes decades of it: its logarithms are tabulated
     std::array<Row, knots> value_{};
     std::array<Row, knots> slope_{};
 };
