@@ -24,7 +24,7 @@ _bioprint_predict() {
         --tip) words='steel tapered hypodermic' ;;
         --model) words='ellipsoid steady' ;;
         --law) words='cross power-law carreau-yasuda herschel-bulkley' ;;
-        --simulate) words='auto exit-flow channel exit' ;;
+        --simulate) words='auto shear channel exit-flow exit' ;;
         --fidelity) words='draft standard fine' ;;
         --list) words='inks cells nozzles' ;;
         --needle) words=$(_bioprint_predict_presets "$program" nozzles) ;;
@@ -46,7 +46,7 @@ _bioprint_predict() {
         -R | --radius | --diameter | -Q | --flowrate | --velocity | --pressure-gradient | --pressure | --length | \
             --eta0 | --eta-inf | -K | --time-constant | -a | --alpha | --consistency | --flow-index | --yield-stress | --transition | --cell-radius | --shear-modulus | \
             --poisson-ratio | --viscosity-ratio | --offset | --threshold | --profile | --get | --resolution | \
-            --checkpoint-interval | -j | --jobs)
+            --fluid-stress | --channel-time | --checkpoint-interval | -j | --jobs)
             return # a quantity: nothing to propose
             ;;
         *)
@@ -56,7 +56,7 @@ _bioprint_predict() {
                 --cell --cell-radius --shear-modulus --poisson-ratio --viscosity-ratio --offset
                 --model --population --threshold --profile --batch -f --format --json --get --history -o --output
                 -j --jobs -q --quiet -v --verbose --no-color --list --simulate --fidelity --resolution
-                --out --resume --checkpoint-interval --version -h --help'
+                --fluid-stress --channel-time --out --resume --checkpoint-interval --version -h --help'
             ;;
     esac
     local proposals

@@ -152,8 +152,8 @@ TEST_CASE(
     "strand") {
     for (double alpha = 0.0; alpha < 1.0; alpha += 0.05) {
         for (double k = 1e-8; k < 1e8; k *= 10.0) {
-            const NozzleFlow flow =
-                NozzleFlow::from_velocity({.eta0 = 10.0, .time_constant = k, .alpha = alpha}, radius, 5e-3);
+            const NozzleFlow flow = NozzleFlow::from_velocity(
+                CrossInk{.eta0 = 10.0, .time_constant = k, .alpha = alpha}, radius, 5e-3);
             const ExitAxis axis(flow);
             double before = flow.velocity_max() * (1.0 + 1e-12);
             for (double x = -9.0; x < 9.0; x += 0.25) {
