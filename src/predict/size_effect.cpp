@@ -28,7 +28,7 @@ SizeEffect::SizeEffect(const NozzleFlow& flow, const AxisCell& cell)
                                    .shear_modulus = cell.shear_modulus})
                                .von_mises) {
     ExitPassageRequest request = exit_passage_request(flow, cell);
-    keeps_shape_ = request.effects.quadratic_flow;
+    keeps_shape_ = request.effects.quadratic_flow || inside_plug(flow, cell.radius);
     request.observe_every = step_;
     std::size_t i = 0;
     std::array<double, knots> time{};
