@@ -58,13 +58,15 @@ TEST_CASE("predict laws: stress loads the cell whatever the law") {
 
 TEST_CASE("predict laws: a cell in the plug bears nothing and the answer says what is open") {
     Case question = case_of(yielding);
+    question.drive = Drive::pressure_gradient;
+    question.drive_value = 2.0 * 120.0 / question.radius;  // twice the yield stress at the wall
     question.positions = {{0.0}, {30e-6}, {90e-6}};
     const Prediction p = predict(question);
     REQUIRE(p.nozzle.plug_radius.has_value());
     REQUIRE(*p.nozzle.plug_radius > 30e-6);
     REQUIRE(*p.nozzle.plug_radius < 90e-6);
     for (const CellAnswer& cell : p.cells) {
-        if (cell.place != Place::nozzle) continue;
+        if (cell.place != Place::nozzle || cell.model == Model::ellipsoid) continue;
         const bool inside = cell.offset < 50e-6;
         CHECK((cell.stress->von_mises == 0.0) == inside);
         if (inside && cell.offset > 0.0) {
