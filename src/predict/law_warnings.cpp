@@ -55,8 +55,8 @@ void add_law_warnings(const Prediction& prediction, const NozzleFlow& flow, std:
     if (flows && prediction.question.transient && !std::holds_alternative<CrossInk>(flow.ink())) {
         warnings.push_back(
             {"exit_of_cross_ink",
-             "the exit flows are tabulated for Cross inks: the ellipsoid passes that of the Cross ink "
-             "whose flow in the nozzle runs ahead in the middle as much"});
+             "the exit flows are simulated for Cross inks: the ellipsoid passes that of the Cross ink "
+             "with the same u_max/u_avg in the nozzle and the same thinning at the wall"});
     }
 }
 
