@@ -7,6 +7,7 @@
 #include "bioprint/errors.hpp"
 #include "bioprint/io/number_format.hpp"
 #include "io/answer_object.hpp"
+#include "io/ladder_answer.hpp"
 #include "io/row_answer.hpp"
 #include "io/table.hpp"
 
@@ -237,9 +238,11 @@ void write(const Prediction& prediction, const Comparison& comparison, const Sim
            const RunOptions& options, const Sink& sink) {
     if (options.format == Format::table && options.paths.empty()) {
         return sink(answer_table(prediction, options.style) +
-                    simulation_table(comparison, question, options.style));
+                    simulation_table(comparison, question, options.style) +
+                    (options.ladder ? ladder_section(*options.ladder, options.style) : ""));
     }
-    const Json answer = simulated_answer(prediction, comparison, question);
+    Json answer = simulated_answer(prediction, comparison, question);
+    if (options.ladder) answer["choice"] = ladder_object(*options.ladder);
     if (!options.paths.empty()) {
         for (const std::string& path : options.paths) sink(value_text(value_at(answer, path)) + "\n");
         return;
@@ -265,6 +268,37 @@ std::string breakdown(const SimulationResult& run) {
 }  // namespace
 
 namespace {
+
+/// Finest runs that --tolerance tries on the axis and in space [nodes a cell radius].
+constexpr double finest_on_axis = 12.0;
+constexpr double finest_in_space = 6.0;
+
+/// The numerical error of a scene's judged number, relative.
+double own_error(const SimulationResult& run) {
+    const SimulatedValue& value = run.at(std::string(judged_value(run.scene)));
+    return std::abs(value.error / value.value);
+}
+
+/// Doubles the resolution until the run's own error is within the tolerance, or a finer one is out of reach.
+Comparison refined(const Prediction& prediction, const SceneChoice& scene, SimulationOptions simulation,
+                   double tolerance) {
+    const bool in_space = scene.kind == SceneKind::shear || scene.offset > 0.0;
+    const double finest = in_space ? finest_in_space : finest_on_axis;
+    while (true) {
+        Comparison comparison = compare_with_simulation(prediction, scene, simulation);
+        if (own_error(comparison.run) <= tolerance || simulation.resolution * 2.0 > finest) return comparison;
+        simulation.resolution *= 2.0;
+    }
+}
+
+std::string beyond_tolerance(const SimulationResult& run, const SimulationQuestion& question) {
+    if (!question.tolerance || own_error(run) <= *question.tolerance) return {};
+    const auto percent = [](double share) {
+        return format_lab(100.0 * share, Dimension::dimensionless, 2).number + " %";
+    };
+    return "the finest run that --tolerance tries has a numerical error of " + percent(own_error(run)) +
+           ", more than the " + percent(*question.tolerance) + " asked for; --resolution goes further";
+}
 
 bool is_scene(std::string_view name) {
     return name == "shear" || name == "channel" || name == "exit-flow" || name == "exit" || name == "auto";
@@ -369,8 +403,11 @@ void answer_with_simulation(const Settings& settings, const SimulationQuestion& 
         return comparison;
     };
     if (files != nullptr) files->attach(simulation);
+    std::string short_of;
     try {
-        const Comparison comparison = remarked(compare_with_simulation(prediction, chosen.scene, simulation));
+        const Comparison comparison =
+            remarked(question.tolerance ? refined(prediction, chosen.scene, simulation, *question.tolerance)
+                                        : compare_with_simulation(prediction, chosen.scene, simulation));
         const std::string failure = breakdown(comparison.run);
         if (!failure.empty()) throw SimulationIncomplete(failure, comparison.run);
         if (files != nullptr) {
@@ -378,11 +415,14 @@ void answer_with_simulation(const Settings& settings, const SimulationQuestion& 
             files->write_answer(json_text(simulated_answer(prediction, comparison, question), 2) + "\n");
         }
         write(prediction, comparison, question, options, sink);
+        short_of = beyond_tolerance(comparison.run, question);
     } catch (const SimulationIncomplete& e) {
         if (files != nullptr) files->write_series(e.result().series);
         write(prediction, remarked(compare(prediction, e.result())), question, options, sink);
         throw;
     }
+    // A run that could not be refined to the tolerance is an answer, but not the one asked for.
+    if (!short_of.empty()) throw SimulationIncomplete(short_of, {});
 }
 
 }  // namespace bioprint
