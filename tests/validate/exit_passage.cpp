@@ -146,10 +146,10 @@ TEST_CASE("exit axis: nine of ten simulated inks with a remaining viscosity are 
     int all = 0;
     for (const SimulatedExit& ink : inks) {
         if (ink.remainder == 0.0) continue;
-        const ExitAxis axis(NozzleFlow::from_velocity({.eta0 = 10.0,
-                                                       .eta_inf = 10.0 * ink.remainder,
-                                                       .time_constant = ink.rate * radius / 5e-3,
-                                                       .alpha = ink.alpha},
+        const ExitAxis axis(NozzleFlow::from_velocity(CrossInk{.eta0 = 10.0,
+                                                               .eta_inf = 10.0 * ink.remainder,
+                                                               .time_constant = ink.rate * radius / 5e-3,
+                                                               .alpha = ink.alpha},
                                                       radius, 5e-3));
         double velocity = 0.0;
         for (std::size_t k = 0; k < places.size(); ++k) {
