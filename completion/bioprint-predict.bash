@@ -23,6 +23,7 @@ _bioprint_predict() {
         -f | --format) words='table json jsonl csv' ;;
         --tip) words='steel tapered hypodermic' ;;
         --model) words='ellipsoid steady' ;;
+        --law) words='cross power-law carreau-yasuda herschel-bulkley' ;;
         --simulate) words='auto shear channel exit-flow exit' ;;
         --fidelity) words='draft standard fine' ;;
         --list) words='inks cells nozzles' ;;
@@ -43,7 +44,7 @@ _bioprint_predict() {
             return
             ;;
         -R | --radius | --diameter | -Q | --flowrate | --velocity | --pressure-gradient | --pressure | --length | \
-            --eta0 | --eta-inf | -K | --time-constant | -a | --alpha | --cell-radius | --shear-modulus | \
+            --eta0 | --eta-inf | -K | --time-constant | -a | --alpha | --consistency | --flow-index | --yield-stress | --transition | --cell-radius | --shear-modulus | \
             --poisson-ratio | --viscosity-ratio | --offset | --threshold | --profile | --get | --resolution | \
             --fluid-stress | --channel-time | --checkpoint-interval | --snapshots | -j | --jobs)
             return # a quantity: nothing to propose
@@ -51,7 +52,7 @@ _bioprint_predict() {
         *)
             [[ $current == -* || -z $current ]] || return
             words='-R --radius --diameter --needle --tip -Q --flowrate --velocity --pressure-gradient --pressure --length
-                --ink --eta0 --eta-inf -K --time-constant -a --alpha
+                --ink --law --eta0 --eta-inf -K --time-constant -a --alpha --consistency --flow-index --yield-stress --transition
                 --cell --cell-radius --shear-modulus --poisson-ratio --viscosity-ratio --offset
                 --model --population --threshold --profile --batch -f --format --json --get --history -o --output
                 -j --jobs -q --quiet -v --verbose --no-color --list --simulate --fidelity --resolution

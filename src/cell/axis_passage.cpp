@@ -8,8 +8,8 @@
 
 #include "bioprint/errors.hpp"
 #include "cell/checks.hpp"
+#include "cell/disturbed_viscosity.hpp"
 #include "cell/spheroid.hpp"
-#include "cell/thinning_response.hpp"
 #include "numerics/dormand_prince.hpp"
 #include "numerics/rosenbrock.hpp"
 
@@ -33,6 +33,10 @@ constexpr double closest = 1e-9;
 /// the channel, whose inertia tensor has D = 0.041 (G a/μ)² for small loads; the whole would be 0.061.
 constexpr double shortening = 0.75;
 
+/// In velocities over cell radii: an ink without a viscosity at rest is taken at that of this rate there, thick enough
+/// to hold the cell.
+constexpr double slowest_rate = 1e-6;
+
 using State = OdeState<4>;
 enum Component : std::size_t { log_stretch, mode1, mode3, elapsed };
 
@@ -53,20 +57,26 @@ struct Surroundings {
 
 class Passage {
   public:
-    Passage(FunctionRef<AxisFlow(double)> flow, const CrossInk& ink, const AxisCell& cell,
-            const AxisEffects& effects)
-        : flow_(flow), ink_(ink), cell_(cell), effects_(effects), thinning_(ink.alpha, ink.time_constant) {}
+    /// @param least_rate  rates below it count as it; 0 where the ink has a viscosity at rest
+    Passage(FunctionRef<AxisFlow(double)> flow, const Ink& ink, const AxisCell& cell,
+            const AxisEffects& effects, double least_rate)
+        : flow_(flow),
+          ink_(ink),
+          cell_(cell),
+          effects_(effects),
+          least_rate_(least_rate),
+          response_(ink, least_rate) {}
 
     [[nodiscard]] Surroundings surroundings(double z) const {
         const double a = cell_.radius;
         const AxisFlow here = flow_(z);
-        const double local = viscosity(ink_, rate(here.elongation));
+        const double local = local_viscosity(here);
         double elongation = here.elongation;
         if (effects_.volume_average) elongation = average_elongation(z, here.elongation, local);
         const double radial = effects_.quadratic_flow ? here.radial / local : 0.0;
         // Mean square over the cell's volume; the shear 2 U2 ρ has ⟨ρ²⟩ = (2/5) a².
         const double square = 3.0 * elongation * elongation + 1.6 * a * a * radial * radial;
-        const double eta = viscosity(ink_, std::sqrt(square));
+        const double eta = viscosity_at(std::sqrt(square));
         const double faxen = effects_.quadratic_flow ? a * a / 6.0 * (2.0 * here.axial + 4.0 * radial) : 0.0;
         const double slip = std::clamp(faxen, -0.2 * here.velocity, 0.2 * here.velocity);
         const double share = effects_.quadratic_flow ? effects_.quadratic_share : 0.0;
@@ -112,7 +122,7 @@ class Passage {
                 .axial_stretch = std::exp(y[log_stretch]),
                 .radial_stretch = std::exp(-0.5 * y[log_stretch]),
                 .von_mises = von_mises(y),
-                .fluid_stress = viscosity(ink_, centre) * centre,
+                .fluid_stress = viscosity_at(centre) * centre,
                 .stress_exposure = 0.0};
     }
 
@@ -154,7 +164,7 @@ class Passage {
         for (int i = 0; i <= samples; ++i) {
             const AxisFlow f = flow_(way.from + part * i);
             const double local = rate(f.elongation);
-            const double eta = viscosity(ink_, local);
+            const double eta = viscosity_at(local);
             load = std::max(load, eta * local + std::abs(f.radial) * cell_.radius);
             relaxations +=
                 part / f.velocity * cell_.shear_modulus / (eta * (2.0 / 3.0 + cell_.viscosity_ratio));
@@ -163,6 +173,19 @@ class Passage {
     }
 
   private:
+    [[nodiscard]] double viscosity_at(double rate) const {
+        return viscosity(ink_, std::max(rate, least_rate_));
+    }
+
+    /// Of the undisturbed ink about a point of the axis. An ink without a viscosity at rest has none there far up
+    /// in the nozzle: what counts is the shear across the cell, at the root mean square of the distance.
+    [[nodiscard]] double local_viscosity(const AxisFlow& here) const {
+        const double elongation = rate(here.elongation);
+        if (least_rate_ == 0.0 || !effects_.quadratic_flow) return viscosity_at(elongation);
+        const double shear_stress = 2.0 * std::abs(here.radial) * std::sqrt(0.4) * cell_.radius;
+        return viscosity_at(std::hypot(elongation, rate_at_stress(ink_, shear_stress)));
+    }
+
     /// What the quadratic displacement adds to the mean of B = FFᵀ along the axis and across it: a cell whose
     /// layers are sheared past each other pulls itself shorter. Second order: where it is not small it means nothing and
     /// fades.
@@ -203,8 +226,8 @@ class Passage {
         double near = ahead_near.velocity - behind_near.velocity;
         if (effects_.quadratic_flow) {
             const double centre = 1.0 / viscosity_at_centre;
-            const double plus = 1.0 / viscosity(ink_, rate(ahead.elongation));
-            const double minus = 1.0 / viscosity(ink_, rate(behind.elongation));
+            const double plus = 1.0 / local_viscosity(ahead);
+            const double minus = 1.0 / local_viscosity(behind);
             const double t = short_node[0] / outer;
             const double odd = 0.5 * t * (plus - minus);
             const double even = centre + t * t * (0.5 * (plus + minus) - centre);
@@ -230,11 +253,10 @@ class Passage {
             return ((s.viscosity + around * k) * s.elongation - elastic) / (inside + around * k);
         };
         if (!effects_.disturbed_viscosity) return balance(s.viscosity, lambda * s.viscosity);
-        if (ink_.alpha == 0.0) return balance(s.viscosity, lambda * s.viscosity);
+        if (response_.newtonian()) return balance(s.viscosity, lambda * s.viscosity);
         const auto next = [&](double d) {
-            const double c = thinning_(s.elongation, d - s.elongation);
-            around_ = ink_.eta_inf + (ink_.eta0 - ink_.eta_inf) * c;
-            inside_ = lambda * viscosity(ink_, rate(d));
+            around_ = response_(s.elongation, d - s.elongation);
+            inside_ = lambda * viscosity_at(rate(d));
             return balance(around_, inside_);
         };
         // The viscosities of the moment before are the first guess.
@@ -263,10 +285,11 @@ class Passage {
     }
 
     FunctionRef<AxisFlow(double)> flow_;
-    const CrossInk& ink_;
+    const Ink& ink_;
     const AxisCell& cell_;
     const AxisEffects& effects_;
-    ThinningResponse thinning_;
+    double least_rate_;
+    DisturbedViscosity response_;
     double close_enough_ = close_enough;
     double around_ = 0.0;  ///< viscosity the disturbance met last
     double inside_ = 0.0;  ///< and that inside the cell
@@ -370,11 +393,13 @@ class Recorder {
 
 }  // namespace
 
-AxisPassage carry_along_axis(FunctionRef<AxisFlow(double)> flow, const CrossInk& ink, const AxisCell& cell,
+AxisPassage carry_along_axis(FunctionRef<AxisFlow(double)> flow, const Ink& ink, const AxisCell& cell,
                              const AxisWay& way, const AxisEffects& effects,
                              FunctionRef<void(const AxisCellState&)> observe) {
     check(cell, way);
-    Passage passage(flow, ink, cell, effects);
+    const double least_rate =
+        has_rest_viscosity(ink) ? 0.0 : slowest_rate * flow(way.from).velocity / cell.radius;
+    Passage passage(flow, ink, cell, effects, least_rate);
     const State start = passage.start(way.from);
     const auto [load, relaxations] = passage.prospect(way);
     const double duration = (way.to - way.from) / flow(way.from).velocity;
@@ -392,7 +417,7 @@ AxisPassage carry_along_axis(FunctionRef<AxisFlow(double)> flow, const CrossInk&
     return recorder.finish();
 }
 
-AxisPassage carry_along_axis(FunctionRef<AxisFlow(double)> flow, const CrossInk& ink, const AxisCell& cell,
+AxisPassage carry_along_axis(FunctionRef<AxisFlow(double)> flow, const Ink& ink, const AxisCell& cell,
                              const AxisWay& way, const AxisEffects& effects) {
     return carry_along_axis(flow, ink, cell, way, effects, [](const AxisCellState&) {});
 }

@@ -147,9 +147,18 @@ double ThinningResponse::operator()(double elongation, double disturbance) const
     const Sizes s = sizes(elongation, disturbance);
     if (s.size == 0.0) return 1.0;
     const double power = std::pow(time_constant_ * std::numbers::sqrt3 * s.size, alpha_);
+    return ratio(s.angle, power / (1.0 + power)) / (1.0 + power);
+}
+
+double ThinningResponse::relative(double elongation, double disturbance, double level) const {
+    const Sizes s = sizes(elongation, disturbance);
+    return alpha_ == 0.0 || s.size == 0.0 ? 1.0 : ratio(s.angle, level);
+}
+
+double ThinningResponse::ratio(double angle, double level) const {
     // Deep in the power law the ratio no longer changes but where the ink is at rest around the cell.
-    const double u = 4.0 * std::min(power / (1.0 + power), deepest_level) - 2.0;
-    const double v = 2.0 * (s.angle / (0.5 * std::numbers::pi));
+    const double u = 4.0 * std::min(level, deepest_level) - 2.0;
+    const double v = 2.0 * (angle / (0.5 * std::numbers::pi));
     double b1 = 0.0;
     double b2 = 0.0;
     for (std::size_t m = angles; m-- > 0;) {
@@ -161,7 +170,7 @@ double ThinningResponse::operator()(double elongation, double disturbance) const
             a1 = a;
         }
         const double row = 0.5 * u * a1 - a2 + series_[m][0];
-        if (m == 0) return std::max(0.5 * v * b1 - b2 + row, least_ratio) / (1.0 + power);
+        if (m == 0) return std::max(0.5 * v * b1 - b2 + row, least_ratio);
         const double b = v * b1 - b2 + row;
         b2 = b1;
         b1 = b;

@@ -35,10 +35,17 @@ class ThinningResponse {
     /// the ink
     [[nodiscard]] double operator()(double elongation, double disturbance) const;
 
+    /// η_b over the viscosity at the rate √3·sqrt(elongation² + disturbance²), for any ink that thins there with
+    /// the local exponent level·α, as a Cross ink of (K γ̇)^α = level/(1 − level) does. 1 where nothing moves.
+    /// @param level  0 on the plateau to 1 in the power law
+    [[nodiscard]] double relative(double elongation, double disturbance, double level) const;
+
     /// The same by the integral itself.
     [[nodiscard]] double integral(double elongation, double disturbance) const;
 
   private:
+    [[nodiscard]] double ratio(double angle, double level) const;
+
     static constexpr std::size_t angles = 16;
     static constexpr std::size_t levels = 6;
     double alpha_;

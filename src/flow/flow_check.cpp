@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "flow/profile.hpp"
 #include "numerics/quadrature.hpp"
 
 namespace bioprint {
@@ -15,7 +16,8 @@ FlowCheck check_flow(const NozzleFlow& flow) {
     const auto q = [&](double v) { return stress(flow.ink(), wall_rate * std::exp(-v)) / wall_stress; };
     const auto third = [&](double v) { return std::exp(-v) * (1.0 - std::pow(q(v), 3)); };
     const auto excess = [&](double v) { return std::exp(-v) * (1.0 - q(v)) * (1.0 - q(v)) * (2.0 + q(v)); };
-    const double end = 40.0 + std::max(0.0, std::log(flow.ink().time_constant * wall_rate));
+    const double scale_of_rate = std::visit([](const auto& law) { return time_scale(law); }, flow.ink());
+    const double end = 40.0 + std::max(0.0, std::log(scale_of_rate * wall_rate));
     const Integral average = integrate(third, 0.0, end, 1e-10);
     const Integral difference = integrate(excess, 0.0, end, 1e-10);
     const double scale = flow.radius() * wall_rate / 3.0;

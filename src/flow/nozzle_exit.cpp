@@ -11,13 +11,17 @@ namespace bioprint {
 
 NozzleExit nozzle_exit(const NozzleFlow& flow) {
     const double rate = flow.velocity_excess() / (2.0 * flow.radius());
+    // An ink with a yield stress bears it however slowly it is stretched; at rest nothing stretches it.
+    if (rate == 0.0) return {.elongation_rate = 0.0, .elongational_stress = 0.0};
     return {.elongation_rate = rate, .elongational_stress = stress(flow.ink(), std::numbers::sqrt3 * rate)};
 }
 
-std::optional<NozzleFlow> flow_at_elongational_stress(const CrossInk& ink, double radius, double stress) {
+std::optional<NozzleFlow> flow_at_elongational_stress(const Ink& ink, double radius, double stress) {
     try {
         // The stress of the exit grows with the rate at the wall, and is always below the stress there.
-        const double low = std::log(rate_at_stress(ink, stress));
+        const double least_rate = rate_at_stress(ink, stress);
+        if (least_rate == 0.0) return std::nullopt;  // below the yield stress, which every flow passes
+        const double low = std::log(least_rate);
         const double top = std::min(std::log(largest_stable_rate(ink)), low + 200.0);
         const auto missing = [&](double log_rate) {
             const NozzleFlow flow = NozzleFlow::from_wall_rate(ink, radius, std::exp(log_rate));

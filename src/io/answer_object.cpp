@@ -54,15 +54,36 @@ Json program_object() {
     return {{"name", program_name}, {"version", program_version()}};
 }
 
+void add_law(ObjectBuilder& object, const CrossInk& law) {
+    object.add("eta0", number(law.eta0))
+        .add("eta_inf", number(law.eta_inf))
+        .add("time_constant", number(law.time_constant))
+        .add("alpha", number(law.alpha));
+}
+
+void add_law(ObjectBuilder& object, const PowerLawInk& law) {
+    object.add("consistency", number(law.consistency)).add("flow_index", number(law.flow_index));
+}
+
+void add_law(ObjectBuilder& object, const CarreauYasudaInk& law) {
+    object.add("eta0", number(law.eta0))
+        .add("eta_inf", number(law.eta_inf))
+        .add("time_constant", number(law.time_constant))
+        .add("transition", number(law.transition))
+        .add("flow_index", number(law.flow_index));
+}
+
+void add_law(ObjectBuilder& object, const HerschelBulkleyInk& law) {
+    object.add("yield_stress", number(law.yield_stress))
+        .add("consistency", number(law.consistency))
+        .add("flow_index", number(law.flow_index));
+}
+
 Json ink_object(const InkChoice& ink) {
-    return ObjectBuilder()
-        .add("name", ink.name)
-        .add("source", ink.source)
-        .add("eta0", number(ink.law.eta0))
-        .add("eta_inf", number(ink.law.eta_inf))
-        .add("time_constant", number(ink.law.time_constant))
-        .add("alpha", number(ink.law.alpha))
-        .take();
+    ObjectBuilder object;
+    object.add("name", ink.name).add("source", ink.source).add("law", law_name(ink.law));
+    std::visit([&](const auto& law) { add_law(object, law); }, ink.law);
+    return object.take();
 }
 
 Json cell_input_object(const CellChoice& cell) {
@@ -94,8 +115,8 @@ Json input_object(const Prediction& prediction) {
 }
 
 Json nozzle_object(const NozzleAnswer& nozzle) {
-    return ObjectBuilder()
-        .add("flow_rate", number(nozzle.flow_rate))
+    ObjectBuilder object;
+    object.add("flow_rate", number(nozzle.flow_rate))
         .add("pressure_gradient", number(nozzle.pressure_gradient))
         .add("velocity_average", number(nozzle.velocity_average))
         .add("velocity_max", number(nozzle.velocity_max))
@@ -105,8 +126,9 @@ Json nozzle_object(const NozzleAnswer& nozzle) {
         .add("stress_average", number(nozzle.stress_average))
         .add("viscosity_wall", number(nozzle.viscosity_wall))
         .add("pressure_drop", number(nozzle.pressure_drop))
-        .add("residence_time", number(nozzle.residence_time))
-        .take();
+        .add("residence_time", number(nozzle.residence_time));
+    if (nozzle.plug_radius) object.add("plug_radius", number(nozzle.plug_radius));
+    return object.take();
 }
 
 std::string_view model_name(Model model) {
@@ -316,7 +338,7 @@ const Json& value_at(const Json& answer, std::string_view path) {
 }
 
 std::string_view unit_of(std::string_view path) {
-    static constexpr std::array<std::pair<std::string_view, std::string_view>, 41> units = {{
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 44> units = {{
         {"radius", "m"},
         {"length", "m"},
         {"offsets", "m"},
@@ -331,6 +353,9 @@ std::string_view unit_of(std::string_view path) {
         {"residence_time", "s"},
         {"relaxation_time", "s"},
         {"shear_modulus", "Pa"},
+        {"consistency", "Pa.s^n"},
+        {"yield_stress", "Pa"},
+        {"plug_radius", "m"},
         {"pressure_drop", "Pa"},
         {"stress_max", "Pa"},
         {"stress_average", "Pa"},

@@ -72,6 +72,10 @@ constexpr std::array<std::string_view, 13> population_paths = {
     "population.exposure.median",           "population.exposure.percentile_90",
     "population.exposure.percentile_95",    "population.exposure.percentile_99",
     "population.exposure.largest"};
+// Behind all that an ink by the Cross law has, so that its columns stay where they were.
+constexpr std::array<std::string_view, 6> law_paths = {"input.ink.law",        "input.ink.consistency",
+                                                       "input.ink.flow_index", "input.ink.yield_stress",
+                                                       "input.ink.transition", "nozzle.plug_radius"};
 constexpr std::array<std::string_view, 4> trailing_paths = {"warnings", "error.code", "error.message",
                                                             "error.option"};
 
@@ -126,6 +130,7 @@ CsvColumns::CsvColumns(std::size_t cell_entries, bool population, std::size_t pa
     if (population) {
         for (const std::string_view path : population_paths) add(std::string(path));
     }
+    for (const std::string_view path : law_paths) add(std::string(path));
     for (const std::string_view path : trailing_paths) add(std::string(path));
 }
 
@@ -164,6 +169,7 @@ bool is_answer_header(std::string_view header) {
         std::find(leading_paths.begin(), leading_paths.end(), path) != leading_paths.end() ||
         path == "exit.elongational_stress" ||
         std::find(population_paths.begin(), population_paths.end(), path) != population_paths.end() ||
+        std::find(law_paths.begin(), law_paths.end(), path) != law_paths.end() ||
         std::find(trailing_paths.begin(), trailing_paths.end(), path) != trailing_paths.end();
     const auto listed = [&](std::string_view list, const auto& paths) {
         if (!path.starts_with(list)) return false;

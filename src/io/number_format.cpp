@@ -27,6 +27,7 @@ std::span<const LabUnit> lab_units(Dimension dimension) {
         {{1e-6, "µPa s"}, {1e-3, "mPa s"}, {1.0, "Pa s"}, {1e3, "kPa s"}}};
     static constexpr std::array<LabUnit, 4> times = {{{1e-9, "ns"}, {1e-6, "µs"}, {1e-3, "ms"}, {1.0, "s"}}};
     static constexpr std::array<LabUnit, 1> rates = {{{1.0, "1/s"}}};
+    static constexpr std::array<LabUnit, 1> consistencies = {{{1.0, "Pa s^n"}}};
     switch (dimension) {
         case Dimension::dimensionless:
             return plain;
@@ -46,6 +47,8 @@ std::span<const LabUnit> lab_units(Dimension dimension) {
             return times;
         case Dimension::rate:
             return rates;
+        case Dimension::consistency:
+            return consistencies;
     }
     return plain;
 }

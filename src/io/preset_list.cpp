@@ -6,6 +6,7 @@
 #include "bioprint/errors.hpp"
 #include "bioprint/io/number_format.hpp"
 #include "bioprint/io/presets.hpp"
+#include "io/ink_text.hpp"
 
 namespace bioprint {
 namespace {
@@ -40,12 +41,11 @@ std::string aligned(const std::vector<Row>& rows) {
 }
 
 std::string inks() {
-    std::vector<Row> rows = {{"name", "eta0", "K", "alpha", "eta_inf", "at", "grade", "source"}};
+    std::vector<Row> rows = {{"name", "law", "parameters", "at", "grade", "source"}};
     for (const InkPreset& p : ink_presets()) {
-        rows.push_back(
-            {p.name, lab(p.ink.eta0, Dimension::viscosity), lab(p.ink.time_constant, Dimension::time),
-             lab(p.ink.alpha, Dimension::dimensionless), lab(p.ink.eta_inf, Dimension::viscosity),
-             p.temperature ? lab(*p.temperature, Dimension::dimensionless) + " °C" : "-", p.grade, p.source});
+        rows.push_back({p.name, std::string(law_name(p.ink)), ink_text(p.ink),
+                        p.temperature ? lab(*p.temperature, Dimension::dimensionless) + " °C" : "-", p.grade,
+                        p.source});
     }
     return aligned(rows);
 }

@@ -82,6 +82,8 @@ std::string_view dimension_name(Dimension dimension) {
             return "a time";
         case Dimension::rate:
             return "a rate";
+        case Dimension::consistency:
+            return "a consistency";
     }
     return {};
 }
@@ -106,6 +108,8 @@ std::string_view si_unit(Dimension dimension) {
             return "s";
         case Dimension::rate:
             return "1/s";
+        case Dimension::consistency:
+            return "Pa.s^n";
     }
     return {};
 }

@@ -30,6 +30,8 @@ std::string example(Dimension dimension) {
             return "50ms";
         case Dimension::rate:
             return "100/s";
+        case Dimension::consistency:
+            return "10Pa.s^n";
     }
     return {};
 }

@@ -33,7 +33,7 @@ std::string reference_report(const Settings& settings) {
         brief(relative(flow.velocity_excess(), check.velocity_excess)) +
         " (relative); the quadrature's own error estimate is " + brief(check.relative_error) + "\n";
     for (const CellAnswer& cell : prediction.cells) {
-        if (cell.model != Model::roscoe_shear || cell.fluid_stress == 0.0) continue;
+        if (cell.model != Model::roscoe_shear || flow.shear_rate(cell.offset) == 0.0) continue;
         const ShearLoad load{.fluid_stress = cell.fluid_stress,
                              .shear_rate = flow.shear_rate(cell.offset),
                              .shear_modulus = question.cell.shear_modulus,

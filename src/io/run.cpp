@@ -1,5 +1,7 @@
 #include "io/run.hpp"
 
+#include <cmath>
+
 #include "bioprint/errors.hpp"
 #include "io/answer_object.hpp"
 #include "io/csv_columns.hpp"
@@ -19,7 +21,11 @@ std::string profile_csv(const RadialProfile& profile) {
     for (std::size_t i = 0; i < profile.r.size(); ++i) {
         for (const auto* column :
              {&profile.r, &profile.velocity, &profile.shear_rate, &profile.viscosity, &profile.stress}) {
-            writer.add_number((*column)[i]);
+            if (std::isfinite((*column)[i])) {
+                writer.add_number((*column)[i]);
+            } else {
+                writer.add_empty();
+            }
         }
         writer.end_row();
     }

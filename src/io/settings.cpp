@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <map>
-#include <mutex>
 
 #include "bioprint/io/presets.hpp"
+#include "io/ink_settings.hpp"
 
 namespace bioprint {
 namespace {
@@ -67,35 +66,6 @@ CellChoice cell_choice(const Settings& settings) {
     return cell;
 }
 
-/// A preset by name, or from a file (a name with a slash or a dot-json ending); files are read once.
-const InkPreset& ink_of(const std::string& name) {
-    if (name.find('/') == std::string::npos && !name.ends_with(".json")) return find_ink(name);
-    static std::mutex lock;
-    static std::map<std::string, InkPreset> files;
-    const std::lock_guard guard(lock);
-    auto found = files.find(name);
-    if (found == files.end()) found = files.emplace(name, load_ink_file(name)).first;
-    return found->second;
-}
-
-InkChoice ink_choice(const Settings& settings) {
-    const std::string name = settings.has(Key::ink) ? settings.at(Key::ink).text : "alginate-2.5";
-    const InkPreset& preset = ink_of(name);
-    const auto pick = [&](Key key, double fallback) {
-        return settings.has(key) ? settings.at(key).number : fallback;
-    };
-    InkChoice ink{.name = preset.name,
-                  .source = preset.source,
-                  .law = {.eta0 = pick(Key::eta0, preset.ink.eta0),
-                          .eta_inf = pick(Key::eta_inf, preset.ink.eta_inf),
-                          .time_constant = pick(Key::time_constant, preset.ink.time_constant),
-                          .alpha = pick(Key::alpha, preset.ink.alpha)}};
-    for (const Key key : {Key::eta0, Key::eta_inf, Key::time_constant, Key::alpha}) {
-        if (settings.has(key)) ink.source += "; " + std::string(info_of(key).option) + " given";
-    }
-    return ink;
-}
-
 }  // namespace
 
 const std::array<KeyInfo, key_count>& key_table() {
@@ -116,11 +86,22 @@ const std::array<KeyInfo, key_count>& key_table() {
          "nozzle length: adds pressure drop and residence time"},
         {Key::ink, "ink", "", "ink.name", std::nullopt, true,
          "ink preset or preset FILE (default alginate-2.5)"},
+        {Key::law, "law", "", "ink.law", std::nullopt, true,
+         "instead of a preset: cross, power-law, carreau-yasuda or herschel-bulkley, with its parameters"},
         {Key::eta0, "eta0", "", "ink.eta0", viscosity, true, "zero-shear viscosity"},
         {Key::eta_inf, "eta-inf", "", "ink.eta_inf", viscosity, true, "infinite-shear viscosity (default 0)"},
-        {Key::time_constant, "time-constant", "K", "ink.time_constant", time, true, "Cross time constant K"},
+        {Key::time_constant, "time-constant", "K", "ink.time_constant", time, true,
+         "time constant K (Cross, Carreau-Yasuda)"},
         {Key::alpha, "alpha", "a", "ink.alpha", dimensionless, true,
          "Cross exponent, 0: Newtonian of eta0/2"},
+        {Key::consistency, "consistency", "", "ink.consistency", Dimension::consistency, true,
+         "consistency, such as 10Pa.s^n (power law, Herschel-Bulkley)"},
+        {Key::flow_index, "flow-index", "", "ink.flow_index", dimensionless, true,
+         "flow index n (all but Cross)"},
+        {Key::yield_stress, "yield-stress", "", "ink.yield_stress", Dimension::pressure, true,
+         "yield stress (Herschel-Bulkley)"},
+        {Key::transition, "transition", "", "ink.transition", dimensionless, true,
+         "transition a of Carreau-Yasuda (default 2: Carreau)"},
         {Key::cell, "cell", "", "cell.name", std::nullopt, true,
          "cell preset (default reference: 8um, 1kPa)"},
         {Key::cell_radius, "cell-radius", "", "cell.radius", length, true, "undeformed cell radius"},
@@ -229,7 +210,8 @@ Settings Settings::over(const Settings& defaults) const {
         const Key key = static_cast<Key>(i);
         if (result.values_[i] || !defaults.values_[i]) continue;
         if ((own_size && (contains(size_group, key) || (key == Key::tip && !has(Key::needle)))) ||
-            (own_drive && contains(drive_group, key)))
+            (own_drive && contains(drive_group, key)) || (key == Key::law && has(Key::ink)) ||
+            (key == Key::ink && has(Key::law)))
             continue;
         result.values_[i] = defaults.values_[i];
         result.origins_[i] = defaults.origins_[i];

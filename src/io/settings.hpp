@@ -25,10 +25,15 @@ enum class Key {
     pressure,
     length,
     ink,
+    law,
     eta0,
     eta_inf,
     time_constant,
     alpha,
+    consistency,
+    flow_index,
+    yield_stress,
+    transition,
     cell,
     cell_radius,
     shear_modulus,
@@ -78,7 +83,8 @@ class Settings {
     [[nodiscard]] bool empty() const;
 
     /// These settings where given, `defaults` elsewhere.
-    /// One of radius, diameter and needle replaces the others, as does one of the four that drive the flow.
+    /// One of radius, diameter and needle replaces the others, as does one of the four that drive the flow; an ink
+    /// replaces a law, a law an ink.
     [[nodiscard]] Settings over(const Settings& defaults) const;
 
     /// The case, with what nobody said taken from the paper's: R 50 µm, 5 mm/s, ink alginate-2.5, cell

@@ -6,6 +6,7 @@
 
 #include "bioprint/io/number_format.hpp"
 #include "io/published_limits.hpp"
+#include "io/ink_text.hpp"
 
 namespace bioprint {
 namespace {
@@ -100,10 +101,7 @@ std::string grid(const std::vector<std::vector<std::string>>& rows, std::size_t 
 
 std::string input_section(const Prediction& prediction, TableStyle style) {
     const Case& question = prediction.question;
-    const CrossInk& law = question.ink.law;
-    std::string ink = question.ink.name + ": η0 " + lab(law.eta0, Dimension::viscosity) + ", K " +
-                      lab(law.time_constant, Dimension::time) + ", α " + plain(law.alpha);
-    if (law.eta_inf > 0.0) ink += ", η∞ " + lab(law.eta_inf, Dimension::viscosity);
+    const std::string ink = question.ink.name + ": " + ink_text(question.ink.law);
     std::string cell = question.cell.name + ": radius " + lab(question.cell.radius, Dimension::length) +
                        ", shear modulus " + lab(question.cell.shear_modulus, Dimension::pressure);
     if (question.cell.viscosity_ratio != 1.0)
@@ -132,6 +130,8 @@ std::string nozzle_section(const NozzleAnswer& nozzle, TableStyle style) {
         entries.emplace_back("pressure drop", lab(*nozzle.pressure_drop, Dimension::pressure));
     if (nozzle.residence_time)
         entries.emplace_back("residence time", lab(*nozzle.residence_time, Dimension::time));
+    if (nozzle.plug_radius)
+        entries.emplace_back("radius of the plug", lab(*nozzle.plug_radius, Dimension::length));
     return "\n" + heading("In the nozzle", style) + two_columns(entries);
 }
 

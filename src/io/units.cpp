@@ -26,10 +26,11 @@ constexpr Powers frequency{.second = -1};
 constexpr Powers force{.kilogram = 1, .metre = 1, .second = -2};
 constexpr Powers pressure{.kilogram = 1, .metre = -1, .second = -2};
 constexpr Powers viscosity{.kilogram = 1, .metre = -1, .second = -1};
+constexpr Powers consistency{.kilogram = 1, .metre = -1, .second = -2, .second_to_n = 1};
 
 /// Factors to SI, exact by definition: the inch is 25.4 mm, the pound-force 4.4482216152605 N, the standard
 /// atmosphere 101325 Pa (BIPM, SI brochure, 9th ed.; NIST SP 811, appendix B.8).
-constexpr std::array<NamedUnit, 26> table = {{
+constexpr std::array<NamedUnit, 28> table = {{
     {"m", "numc", {.power = 0}, length},
     {"in", "", {.numerator = 254, .power = -4}, length},
     {"inch", "", {.numerator = 254, .power = -4}, length},
@@ -54,6 +55,8 @@ constexpr std::array<NamedUnit, 26> table = {{
     {"atm", "", {.numerator = 101325}, pressure},
     {"P", "mc", {.power = -1}, viscosity},
     {"Pas", "umk", {.power = 0}, viscosity},
+    {"sn", "", {.power = 0}, {.second_to_n = 1}},
+    {"Pasn", "umk", {.power = 0}, consistency},
     {"%", "", {.power = -2}, none},
     {"Rc", "", {.power = 0}, {.cell_radius = 1}},
 }};
@@ -100,24 +103,11 @@ std::optional<Unit> find_name(std::string_view name) {
 
 /// The spellings Unicode offers, in ASCII: both micro signs (and the one byte of Latin-1), superscripts, the
 /// product dots, the minus sign, the wide spaces.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 17> ascii_forms = {{
-    {"\u00B5", "u"},
-    {"\u03BC", "u"},
-    {"\u00B7", "."},
-    {"\u22C5", "."},
-    {"\u00D7", "."},
-    {"\u2212", "-"},
-    {"\u207B", "-"},
-    {"\u00B9", "1"},
-    {"\u00B2", "2"},
-    {"\u00B3", "3"},
-    {"\u2044", "/"},
-    {"\u2215", "/"},
-    {"\u00A0", " "},
-    {"\u202F", " "},
-    {"\u2009", " "},
-    {"\t", " "},
-    {"\xB5", "u"},
+constexpr std::array<std::pair<std::string_view, std::string_view>, 19> ascii_forms = {{
+    {"\u00B5", "u"}, {"\u03BC", "u"}, {"\u00B7", "."}, {"\u22C5", "."}, {"\u00D7", "."},
+    {"\u2212", "-"}, {"\u207B", "-"}, {"s^n", "sn"},   {"\u207F", "n"}, {"\u00B9", "1"},
+    {"\u00B2", "2"}, {"\u00B3", "3"}, {"\u2044", "/"}, {"\u2215", "/"}, {"\u00A0", " "},
+    {"\u202F", " "}, {"\u2009", " "}, {"\t", " "},     {"\xB5", "u"},
 }};
 
 std::string to_ascii(std::string_view text) {
@@ -211,6 +201,7 @@ class UnitReader {
         unit.powers.metre += power * by.powers.metre;
         unit.powers.second += power * by.powers.second;
         unit.powers.cell_radius += power * by.powers.cell_radius;
+        unit.powers.second_to_n += power * by.powers.second_to_n;
         return true;
     }
 
@@ -246,14 +237,17 @@ Powers powers_of(Dimension dimension) {
             return duration;
         case Dimension::rate:
             return frequency;
+        case Dimension::consistency:
+            return consistency;
     }
     return none;
 }
 
 std::string_view kind_name(const Powers& powers) {
-    for (const auto dimension : {Dimension::dimensionless, Dimension::length, Dimension::volume_flow,
-                                 Dimension::velocity, Dimension::pressure, Dimension::pressure_gradient,
-                                 Dimension::viscosity, Dimension::time, Dimension::rate}) {
+    for (const auto dimension :
+         {Dimension::dimensionless, Dimension::length, Dimension::volume_flow, Dimension::velocity,
+          Dimension::pressure, Dimension::pressure_gradient, Dimension::viscosity, Dimension::time,
+          Dimension::rate, Dimension::consistency}) {
         if (powers == powers_of(dimension)) return dimension_name(dimension);
     }
     if (powers == Powers{.metre = 2}) return "an area";
@@ -281,6 +275,7 @@ std::span<const std::string_view> usual_units(Dimension dimension) {
     static constexpr std::array<Names, 6> viscosities = {"Pa.s", "mPa.s", "cP", "P", "Pa s", "mPas"};
     static constexpr std::array<Names, 6> times = {"s", "ms", "us", "ns", "min", "h"};
     static constexpr std::array<Names, 6> rates = {"1/s", "/s", "s^-1", "Hz", "1/min", "s-1"};
+    static constexpr std::array<Names, 4> consistencies = {"Pa.s^n", "mPa.s^n", "kPa.s^n", "Pa s^n"};
     switch (dimension) {
         case Dimension::dimensionless:
             return plain;
@@ -300,6 +295,8 @@ std::span<const std::string_view> usual_units(Dimension dimension) {
             return times;
         case Dimension::rate:
             return rates;
+        case Dimension::consistency:
+            return consistencies;
     }
     return plain;
 }

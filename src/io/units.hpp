@@ -11,7 +11,7 @@
 /// The table of units and the grammar that combines them.
 ///
 ///   unit    = ["1"] ["/"] factor { ("." | "*" | "·" | "-" | space | "/") factor }
-///   factor  = [prefix] name [ ["^"] whole power from -9 to 9 ]
+///   factor  = [prefix] name [ ["^"] whole power from -9 to 9 ] | "s" "^" "n"
 ///
 /// A slash divides by the one factor behind it.
 namespace bioprint {
@@ -22,6 +22,7 @@ struct Powers {
     int metre = 0;
     int second = 0;
     int cell_radius = 0;
+    int second_to_n = 0;  ///< s^n, n the flow index: a unit of its own, because n is not known here
     bool operator==(const Powers&) const = default;
 };
 

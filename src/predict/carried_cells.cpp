@@ -7,6 +7,7 @@
 #include "bioprint/cell/bullet.hpp"
 #include "bioprint/errors.hpp"
 #include "numerics/brief.hpp"
+#include "predict/resting_ink.hpp"
 #include "predict/streamline.hpp"
 
 namespace bioprint {
@@ -73,9 +74,8 @@ CellAnswer blank_cell(Place place, Model model, double offset, double fluid_stre
 }
 
 CarriedCells::CarriedCells(const NozzleFlow& flow, Prediction& prediction)
-    : relaxation_time_(bioprint::relaxation_time(viscosity(flow.ink(), 0.0),
-                                                 prediction.question.cell.shear_modulus,
-                                                 prediction.question.cell.viscosity_ratio)) {
+    : relaxation_time_(strand_relaxation(flow.ink(), prediction.question.cell.shear_modulus,
+                                         prediction.question.cell.viscosity_ratio)) {
     if (!(flow.velocity_average() > 0.0)) return;
     field_.emplace(flow);
     const CellChoice& cell = prediction.question.cell;

@@ -24,7 +24,7 @@ class CarriedCells {
 
     std::optional<ExitField> field_;  ///< none where nothing flows
     SizeEffect size_;
-    double relaxation_time_;
+    std::optional<double> relaxation_time_;  ///< in the strand
 };
 
 /// An entry with nothing but its place.

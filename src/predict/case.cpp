@@ -8,6 +8,10 @@
 namespace bioprint {
 namespace {
 
+/// Suspensions that thicken reach 2; a sharper bend than this no rheometer tells from a corner.
+constexpr double most_thickening = 2.0;
+constexpr double sharpest_transition = 100.0;
+
 /// Collects one sentence for each quantity out of its range.
 class Findings {
   public:
@@ -23,6 +27,42 @@ class Findings {
   private:
     std::vector<std::string> sentences_;
 };
+
+void check_law(const CrossInk& law, Findings& findings) {
+    findings.require(law.eta0 > 0.0, "eta0", law.eta0, "positive, such as 10Pa.s");
+    findings.require(law.eta_inf >= 0.0 && law.eta_inf <= law.eta0, "eta-inf", law.eta_inf,
+                     "between 0 and eta0");
+    findings.require(law.time_constant > 0.0, "time-constant", law.time_constant,
+                     "positive, such as 0.05s (for a Newtonian ink of viscosity v use alpha 0 and eta0 2v)");
+    findings.require(law.alpha >= 0.0, "alpha", law.alpha, "zero or positive, such as 0.75");
+}
+
+void check_consistency(double consistency, double flow_index, Findings& findings) {
+    findings.require(consistency > 0.0, "consistency", consistency, "positive, such as 10Pa.s^n");
+    findings.require(flow_index > 0.0 && flow_index <= most_thickening, "flow-index", flow_index,
+                     "above 0 and at most 2, such as 0.4");
+}
+
+void check_law(const PowerLawInk& law, Findings& findings) {
+    check_consistency(law.consistency, law.flow_index, findings);
+}
+
+void check_law(const CarreauYasudaInk& law, Findings& findings) {
+    findings.require(law.eta0 > 0.0, "eta0", law.eta0, "positive, such as 10Pa.s");
+    findings.require(law.eta_inf >= 0.0 && law.eta_inf <= law.eta0, "eta-inf", law.eta_inf,
+                     "between 0 and eta0");
+    findings.require(law.time_constant > 0.0, "time-constant", law.time_constant, "positive, such as 0.05s");
+    findings.require(law.transition > 0.0 && law.transition <= sharpest_transition, "transition",
+                     law.transition, "above 0 and at most 100, such as 2");
+    findings.require(law.flow_index >= 0.0 && law.flow_index <= 1.0, "flow-index", law.flow_index,
+                     "between 0 and 1, such as 0.4");
+}
+
+void check_law(const HerschelBulkleyInk& law, Findings& findings) {
+    findings.require(law.yield_stress >= 0.0, "yield-stress", law.yield_stress,
+                     "zero or positive, such as 30Pa");
+    check_consistency(law.consistency, law.flow_index, findings);
+}
 
 std::string_view drive_name(Drive drive) {
     switch (drive) {
@@ -57,7 +97,6 @@ void check_positions(const Case& question, Findings& findings) {
 
 std::vector<std::string> problems_of(const Case& question) {
     Findings findings;
-    const CrossInk& law = question.ink.law;
     const CellChoice& cell = question.cell;
     findings.require(question.radius > 0.0, "radius", question.radius, "positive, such as 50um");
     if (question.length)
@@ -67,12 +106,7 @@ std::vector<std::string> problems_of(const Case& question) {
     if (question.drive == Drive::pressure && !question.length) {
         findings.add("pressure: drives the flow only together with the nozzle's length; add --length");
     }
-    findings.require(law.eta0 > 0.0, "eta0", law.eta0, "positive, such as 10Pa.s");
-    findings.require(law.eta_inf >= 0.0 && law.eta_inf <= law.eta0, "eta-inf", law.eta_inf,
-                     "between 0 and eta0");
-    findings.require(law.time_constant > 0.0, "time-constant", law.time_constant,
-                     "positive, such as 0.05s (for a Newtonian ink of viscosity v use alpha 0 and eta0 2v)");
-    findings.require(law.alpha >= 0.0, "alpha", law.alpha, "zero or positive, such as 0.75");
+    std::visit([&](const auto& law) { check_law(law, findings); }, question.ink.law);
     findings.require(cell.radius > 0.0, "cell-radius", cell.radius, "positive, such as 8um");
     findings.require(cell.shear_modulus > 0.0, "shear-modulus", cell.shear_modulus, "positive, such as 1kPa");
     findings.require(cell.viscosity_ratio >= 0.0, "viscosity-ratio", cell.viscosity_ratio,

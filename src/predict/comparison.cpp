@@ -25,7 +25,7 @@ Values predicted_exit_flow(const Prediction& prediction) {
 BulletState bullet_of(const Prediction& prediction) {
     const Case& question = prediction.question;
     return bullet({.pressure_gradient = prediction.nozzle.pressure_gradient,
-                   .viscosity = viscosity(question.ink.law, 0.0),
+                   .viscosity = viscosity(cross_law(question.ink.law), 0.0),
                    .cell_radius = question.cell.radius,
                    .shear_modulus = question.cell.shear_modulus});
 }
@@ -58,7 +58,7 @@ Values predicted_exit(const Prediction& prediction) {
         // The prediction itself says that the cell could not be followed.
     }
     values["relaxation_time"] =
-        relaxation_time(viscosity(question.ink.law, 0.0), question.cell.shear_modulus, 1.0);
+        relaxation_time(viscosity(cross_law(question.ink.law), 0.0), question.cell.shear_modulus, 1.0);
     return values;
 }
 
@@ -120,8 +120,8 @@ double radial_width(const StreamlineState& s) {
 
 Values predicted_off_axis_exit(const Prediction& prediction, const SimulationResult& run) {
     const Case& question = prediction.question;
-    Values values{{"relaxation_time",
-                   relaxation_time(viscosity(question.ink.law, 0.0), question.cell.shear_modulus, 1.0)}};
+    Values values{{"relaxation_time", relaxation_time(viscosity(cross_law(question.ink.law), 0.0),
+                                                      question.cell.shear_modulus, 1.0)}};
     try {
         double shortest = 1.0;
         double widest = 1.0;
@@ -180,7 +180,7 @@ Scene scene_for(const Prediction& prediction, const SceneChoice& choice) {
     const bool by_pressure = question.drive == Drive::pressure_gradient || question.drive == Drive::pressure;
     const double local = 0.5 * prediction.nozzle.pressure_gradient * choice.offset;
     return {.kind = choice.kind,
-            .ink = question.ink.law,
+            .ink = cross_law(question.ink.law),
             .nozzle_radius = question.radius,
             .velocity_average = prediction.nozzle.velocity_average,
             .cell = {.radius = question.cell.radius, .shear_modulus = question.cell.shear_modulus},

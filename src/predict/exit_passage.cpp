@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "predict/exit_axis.hpp"
+#include "predict/resting_ink.hpp"
 
 namespace bioprint {
 namespace {
@@ -22,6 +23,8 @@ ExitPassageRequest exit_passage_request(const NozzleFlow& flow, const AxisCell& 
     if (load > softest_bullet) {
         request.effects.quadratic_share = softest_bullet / load * std::min(1.0, bullet_fades / load);
     }
+    // A plug that holds the whole cell has no curvature to bend it.
+    if (inside_plug(flow, cell.radius)) request.effects.quadratic_flow = false;
     return request;
 }
 

@@ -73,7 +73,7 @@ constexpr long step_limit = 3'000'000;
 /// stress follow slowly, a softer one the wall's layer.
 LatticeUnits units(const NozzleFlow& flow, int nodes) {
     const double apparent = flow.pressure_gradient() * flow.radius() * flow.radius() /
-                            (8.0 * flow.velocity_average() * flow.ink().eta0);
+                            (8.0 * flow.velocity_average() * cross_law(flow.ink()).eta0);
     constexpr double velocity_lu = 0.05;
     return units_for_flow(flow, nodes).with(velocity_lu, 0.3 * nodes / std::sqrt(apparent), flow);
 }

@@ -9,7 +9,9 @@
 #include "bioprint/flow/nozzle_flow.hpp"
 #include "bioprint/predict/ladder.hpp"
 #include "bioprint/predict/prediction.hpp"
+#include "numerics/brief.hpp"
 #include "predict/carried_cells.hpp"
+#include "predict/resting_ink.hpp"
 #include "predict/warnings.hpp"
 
 namespace bioprint {
@@ -23,8 +25,20 @@ void require_sound(const Case& question) {
     throw UsageError(message);
 }
 
+/// A pressure that does not move the ink, in the words of the question.
+void require_yielding(const Case& question) {
+    const double yield = yield_stress(question.ink.law);
+    if (question.drive != Drive::pressure || yield == 0.0 || question.drive_value == 0.0) return;
+    const double threshold = 2.0 * yield * question.length.value() / question.radius;
+    if (question.drive_value > threshold) return;
+    throw NoSteadyFlow("no flow: a pressure of " + brief(question.drive_value) +
+                       " Pa over this nozzle stays within the ink's yield stress of " + brief(yield) +
+                       " Pa; it flows above " + brief(threshold) + " Pa");
+}
+
 NozzleFlow flow_of(const Case& question) {
-    const CrossInk& law = question.ink.law;
+    require_yielding(question);
+    const Ink& law = question.ink.law;
     switch (question.drive) {
         case Drive::flow_rate:
             return NozzleFlow::from_flow_rate(law, question.radius, question.drive_value);
@@ -66,7 +80,9 @@ NozzleAnswer nozzle_answer(const NozzleFlow& flow, const Case& question) {
                         .stress_average = flow.stress_average(),
                         .viscosity_wall = viscosity(flow.ink(), flow.shear_rate_max()),
                         .pressure_drop = std::nullopt,
-                        .residence_time = std::nullopt};
+                        .residence_time = std::nullopt,
+                        .plug_radius = std::nullopt};
+    if (yield_stress(flow.ink()) > 0.0) answer.plug_radius = flow.plug_radius();
     if (question.drive == Drive::flow_rate) answer.flow_rate = question.drive_value;
     if (question.length) {
         answer.pressure_drop = question.drive == Drive::pressure
@@ -88,10 +104,12 @@ void fill(CellAnswer& answer, const EllipsoidState& state) {
 CellAnswer cell_in_nozzle(const NozzleFlow& flow, const CellChoice& cell, double offset) {
     if (offset == 0.0) {
         CellAnswer answer = blank_cell(Place::nozzle, Model::bullet, 0.0, 0.0, cell);
-        const BulletState state = bullet({.pressure_gradient = flow.pressure_gradient(),
-                                          .viscosity = viscosity(flow.ink(), 0.0),
-                                          .cell_radius = cell.radius,
-                                          .shear_modulus = cell.shear_modulus});
+        // A plug that holds the whole cell carries it without a load.
+        const BulletState state =
+            bullet({.pressure_gradient = inside_plug(flow, cell.radius) ? 0.0 : flow.pressure_gradient(),
+                    .viscosity = 1.0,  // of the slip alone
+                    .cell_radius = cell.radius,
+                    .shear_modulus = cell.shear_modulus});
         // To the order of the theory the cell keeps its length and width, and its mean stress components
         // vanish: the load is in the von Mises stress, which has no sign to cancel.
         answer.stretch = {1.0, 1.0, 1.0};
@@ -100,11 +118,14 @@ CellAnswer cell_in_nozzle(const NozzleFlow& flow, const CellChoice& cell, double
     }
     const double fluid_stress = flow.stress(offset);
     CellAnswer answer = blank_cell(Place::nozzle, Model::roscoe_shear, offset, fluid_stress, cell);
+    const double rate = flow.shear_rate(offset);
+    const bool in_plug = rate == 0.0 && fluid_stress > 0.0 && yield_stress(flow.ink()) > 0.0;
     try {
-        fill(answer, roscoe_shear({.fluid_stress = fluid_stress,
-                                   .shear_rate = flow.shear_rate(offset),
+        fill(answer, roscoe_shear({.fluid_stress = in_plug ? 0.0 : fluid_stress,
+                                   .shear_rate = rate,
                                    .shear_modulus = cell.shear_modulus,
                                    .viscosity_ratio = cell.viscosity_ratio}));
+        if (in_plug) answer.angle = answer.frequency = std::nullopt;
     } catch (const NotConverged&) {
         // A stress ratio past what numbers hold: the entry stays empty, `beyond_range` says so.
     }
@@ -119,8 +140,7 @@ CellAnswer cell_in_exit(const NozzleFlow& flow, const ExitAnswer& exit, const Ce
                            .shear_modulus = cell.shear_modulus,
                            .direction = ElongationDirection::compression});
     if (state) fill(answer, *state);
-    answer.relaxation_time =
-        relaxation_time(viscosity(flow.ink(), 0.0), cell.shear_modulus, cell.viscosity_ratio);
+    answer.relaxation_time = strand_relaxation(flow.ink(), cell.shear_modulus, cell.viscosity_ratio);
     return answer;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bioprint/cell/bullet.hpp"
+#include "predict/resting_ink.hpp"
 #include "predict/streamline_path.hpp"
 
 namespace bioprint {
@@ -19,11 +20,13 @@ SizeEffect::SizeEffect(const NozzleFlow& flow, const AxisCell& cell)
     : first_(-StreamlinePath::before * flow.radius()),
       step_((StreamlinePath::before + StreamlinePath::after) * flow.radius() /
             static_cast<double>(knots - 1)),
-      nozzle_linear_(bullet({.pressure_gradient = flow.pressure_gradient(),
-                             .viscosity = viscosity(flow.ink(), 0.0),
-                             .cell_radius = cell.radius,
-                             .shear_modulus = cell.shear_modulus})
-                         .von_mises) {
+      nozzle_linear_(inside_plug(flow, cell.radius)
+                         ? 0.0
+                         : bullet({.pressure_gradient = flow.pressure_gradient(),
+                                   .viscosity = viscosity(flow.ink(), least_rate(flow)),
+                                   .cell_radius = cell.radius,
+                                   .shear_modulus = cell.shear_modulus})
+                               .von_mises) {
     ExitPassageRequest request = exit_passage_request(flow, cell);
     keeps_shape_ = request.effects.quadratic_share == 1.0;
     request.observe_every = step_;

@@ -7,6 +7,7 @@
 #include "bioprint/errors.hpp"
 #include "numerics/rosenbrock.hpp"
 #include "predict/nozzle_start_up.hpp"
+#include "predict/resting_ink.hpp"
 #include "predict/scan.hpp"
 #include "predict/streamline.hpp"
 #include "predict/streamline_path.hpp"
@@ -38,14 +39,15 @@ class Follower {
         : request_(request),
           size_(size),
           observe_(observe),
-          path_(field, flow.ink(), request.start_radius),
+          path_(field, flow, request.start_radius),
           cell_{.shear_modulus = request.shear_modulus, .viscosity_ratio = request.viscosity_ratio},
           radius_(flow.radius()),
           rate_(flow.shear_rate(request.start_radius)),
           velocity_(SizeEffect::velocity(flow.velocity(request.start_radius), size.nozzle_slip())),
           fluid_stress_(flow.stress(request.start_radius)),
-          viscosity_(viscosity(flow.ink(), rate_)),
-          steady_(roscoe_shear({.fluid_stress = fluid_stress_,
+          viscosity_(viscosity(flow.ink(), std::max(rate_, least_rate(flow)))),
+          // Below the yield stress nothing shears the cell.
+          steady_(roscoe_shear({.fluid_stress = rate_ > 0.0 ? fluid_stress_ : 0.0,
                                 .shear_rate = rate_,
                                 .shear_modulus = request.shear_modulus,
                                 .viscosity_ratio = request.viscosity_ratio})),

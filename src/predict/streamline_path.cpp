@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "predict/resting_ink.hpp"
+
 namespace bioprint {
 namespace {
 
@@ -12,10 +14,12 @@ enum Column : std::size_t { xx, xr, rx, tt, thick, radius, slowness, viscous, st
 
 }  // namespace
 
-StreamlinePath::StreamlinePath(const ExitField& field, const CrossInk& ink, double start_radius)
+StreamlinePath::StreamlinePath(const ExitField& field, const NozzleFlow& flow, double start_radius)
     : scale_(fine * field.radius()),
       first_(std::asinh(-before / fine)),
-      step_((std::asinh(after / fine) - first_) / static_cast<double>(knots - 1)) {
+      step_((std::asinh(after / fine) - first_) / static_cast<double>(knots - 1)),
+      logarithmic_(!has_rest_viscosity(flow.ink())) {
+    const double least = least_rate(flow);
     double r = field.streamline(start_radius, -before * field.radius());
     const double stream = field.nozzle_flux(start_radius);
     double drift = 0.0;  // dr/ds
@@ -38,15 +42,15 @@ StreamlinePath::StreamlinePath(const ExitField& field, const CrossInk& ink, doub
         drift_before = drift;
         drift = p.radial_velocity * per_s;
         velocity = p.axial_velocity;
-        const double eta = viscosity(ink, p.rate);
+        const double eta = viscosity(flow.ink(), std::max(p.rate, least));
         value_[i] = {p.gradient[0][0] * per_s,
                      p.gradient[0][1] * per_s,
                      p.gradient[1][0] * per_s,
                      p.gradient[2][2] * per_s,
-                     eta / per_s,
+                     logarithmic_ ? std::log(eta / per_s) : eta / per_s,
                      r,
                      per_s,
-                     eta,
+                     logarithmic_ ? std::log(eta) : eta,
                      p.rate,
                      p.shear_share};
     }
@@ -89,6 +93,10 @@ double StreamlinePath::read(const Spot& at, std::size_t column) const {
     return a + t * (m + t * (3.0 * d - 2.0 * m - n + t * (m + n - 2.0 * d)));
 }
 
+double StreamlinePath::read_positive(const Spot& at, std::size_t column) const {
+    return logarithmic_ ? std::exp(read(at, column)) : read(at, column);
+}
+
 PlanarFlow StreamlinePath::flow(double s) const {
     const Spot at = spot(s);
     const double along = read(at, xx);
@@ -98,14 +106,14 @@ PlanarFlow StreamlinePath::flow(double s) const {
             .rx = read(at, rx),
             .rr = -along - around,
             .tt = around,
-            .viscosity = read(at, thick)};
+            .viscosity = read_positive(at, thick)};
 }
 
 StreamlinePath::Place StreamlinePath::place(double s) const {
     const Spot at = spot(s);
     return {.radius = read(at, radius),
             .slowness = read(at, slowness),
-            .viscosity = read(at, viscous),
+            .viscosity = read_positive(at, viscous),
             .rate = std::max(0.0, read(at, strain_rate)),
             .shear_share = std::clamp(read(at, share), 0.0, 1.0)};
 }

@@ -24,7 +24,7 @@ class StreamlinePath {
     static constexpr double after = 7.5;
 
     /// @param start_radius  far up in the nozzle [m], 0 ≤ r < R
-    StreamlinePath(const ExitField& field, const CrossInk& ink, double start_radius);
+    StreamlinePath(const ExitField& field, const NozzleFlow& flow, double start_radius);
 
     /// The s of a distance from the lip [m], and back.
     [[nodiscard]] double at_position(double x) const;
@@ -53,10 +53,14 @@ class StreamlinePath {
     };
     [[nodiscard]] Spot spot(double s) const;
     [[nodiscard]] double read(const Spot& at, std::size_t column) const;
+    /// Of a viscosity.
+    [[nodiscard]] double read_positive(const Spot& at, std::size_t column) const;
 
     double scale_;
     double first_;
     double step_;
+    bool
+        logarithmic_;  ///< an ink without a viscosity at rest passes decades of it: its logarithms are tabulated
     std::array<Row, knots> value_{};
     std::array<Row, knots> slope_{};
 };

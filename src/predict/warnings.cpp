@@ -9,6 +9,7 @@
 #include "bioprint/cell/roscoe.hpp"
 #include "bioprint/flow/nozzle_exit.hpp"
 #include "numerics/brief.hpp"
+#include "predict/law_warnings.hpp"
 
 namespace bioprint {
 namespace {
@@ -153,6 +154,7 @@ struct ExitTimes {
 
 ExitTimes exit_times(const Prediction& prediction, const NozzleFlow& flow) {
     const CellChoice& cell = prediction.question.cell;
+    if (flow.velocity_average() == 0.0) return {.passage = 0.0, .response = 0.0};
     return {.passage = 2.0 * flow.radius() / flow.velocity_average(),
             .response =
                 relaxation_time(viscosity(flow.ink(), std::numbers::sqrt3 * prediction.exit.elongation_rate),
@@ -188,9 +190,9 @@ void check_exit(const Prediction& prediction, const NozzleFlow& flow, Collector&
     }
 }
 
-bool shear_applies(const Prediction& prediction, const CellAnswer& cell) {
+bool shear_applies(const Prediction& prediction, const NozzleFlow& flow, const CellAnswer& cell) {
     const Case& question = prediction.question;
-    if (!cell.stress || cell.offset < question.cell.radius ||
+    if (!cell.stress || cell.offset < question.cell.radius || cell.offset <= flow.plug_radius() ||
         question.radius - cell.offset < 2.0 * question.cell.radius * (1.0 - 1e-12)) {
         return false;
     }
@@ -210,7 +212,7 @@ void judge_steady_models(Prediction& prediction, const NozzleFlow& flow) {
                     flow.pressure_gradient() * choice.radius <= bullet_range * choice.shear_modulus;
                 break;
             case Model::roscoe_shear:
-                cell.applies = shear_applies(prediction, cell);
+                cell.applies = shear_applies(prediction, flow, cell);
                 break;
             case Model::roscoe_elongation: {
                 const auto [passage, response] = exit_times(prediction, flow);
@@ -235,6 +237,7 @@ std::vector<Warning> warnings_of(const Prediction& prediction, const NozzleFlow&
     check_length(prediction, warn);
     check_stress_ratios(prediction, warn);
     check_exit(prediction, flow, warn);
+    add_law_warnings(prediction, flow, warnings);
     return warnings;
 }
 

@@ -1,6 +1,7 @@
 #include "bioprint/rheology/ink.hpp"
 
 #include <array>
+#include <cmath>
 #include <string>
 
 #include "bioprint/errors.hpp"
@@ -32,16 +33,23 @@ double yield_stress(const Ink& ink) {
     return yielding == nullptr ? 0.0 : yielding->yield_stress;
 }
 
+bool has_rest_viscosity(const Ink& ink) {
+    const double eta = viscosity(ink, 0.0);
+    return eta > 0.0 && std::isfinite(eta);
+}
+
 std::string_view law_name(const Ink& ink) {
     constexpr std::array<std::string_view, std::variant_size_v<Ink>> names = {
         "cross", "power-law", "carreau-yasuda", "herschel-bulkley"};
     return names[ink.index()];
 }
 
-const CrossInk& cross_law(const Ink& ink, std::string_view who) {
+const CrossInk& cross_law(const Ink& ink) {
     if (const auto* law = std::get_if<CrossInk>(&ink)) return *law;
-    throw UsageError(std::string(who) + ": knows inks by the Cross law only, and this one follows the " +
-                     std::string(law_name(ink)) + " law");
+    throw UsageError("--simulate: knows inks by the Cross law only, and this one follows the " +
+                         std::string(law_name(ink)) +
+                         " law; predict it without --simulate, or fit a Cross law to it",
+                     "--simulate");
 }
 
 }  // namespace bioprint

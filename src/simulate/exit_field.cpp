@@ -48,8 +48,8 @@ void find_peak(AxisProfile& p, double radius) {
 
 }  // namespace
 
-ExitReach exit_reach(const CrossInk& ink) {
-    return {.upstream = ink.alpha > strong_thinning ? 5.0 : 4.0, .downstream = 4.0};
+ExitReach exit_reach(const Ink& ink) {
+    return {.upstream = cross_law(ink).alpha > strong_thinning ? 5.0 : 4.0, .downstream = 4.0};
 }
 
 ExitField settle_exit_flow(const NozzleFlow& flow, int nodes, const ExitReach& reach, double tolerance,

@@ -21,7 +21,7 @@ struct ExitReach {
     double downstream;
 };
 /// Strong thinning lets the exit be felt farther upstream.
-ExitReach exit_reach(const CrossInk& ink);
+ExitReach exit_reach(const Ink& ink);
 
 /// Starts from the developed profile at large viscosity and runs until steady.
 /// @throws SimulationIncomplete  cancelled or not steady in time

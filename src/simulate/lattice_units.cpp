@@ -37,8 +37,8 @@ LatticeUnits make(const NozzleFlow& flow, int nodes, double velocity_lu, double 
     u.viscosity_lu = viscosity_lu;
     u.velocity = flow.velocity_average() / velocity_lu;
     u.time_step = u.spacing / u.velocity;
-    u.stress = flow.ink().eta0 / (viscosity_lu * u.time_step);
-    const double wall = viscosity(flow.ink(), flow.shear_rate_max()) / flow.ink().eta0;
+    u.stress = cross_law(flow.ink()).eta0 / (viscosity_lu * u.time_step);
+    const double wall = viscosity(flow.ink(), flow.shear_rate_max()) / cross_law(flow.ink()).eta0;
     u.wall_reynolds = velocity_lu * nodes / (viscosity_lu * wall);
     return u;
 }
@@ -54,7 +54,8 @@ double largest_stress(const Scene& scene, const NozzleFlow& flow) {
 
 }  // namespace
 
-lattice::CrossRelaxation LatticeUnits::relaxation(const CrossInk& ink) const {
+lattice::CrossRelaxation LatticeUnits::relaxation(const Ink& any) const {
+    const CrossInk& ink = cross_law(any);
     const double t0 = 3.0 * viscosity_lu;
     return {.t0 = t0,
             .t_inf = t0 * ink.eta_inf / ink.eta0,
@@ -110,10 +111,10 @@ int nodes_for(const Scene& scene, int layers, double mesh_spacing) {
 LatticeUnits units_for_cell(const Scene& scene, const NozzleFlow& flow, int nodes,
                             const SimulationOptions& options) {
     const double stiffness = std::max(1.0, options.bulk_modulus_ratio);
-    const double wall = viscosity(flow.ink(), flow.shear_rate_max()) / flow.ink().eta0;
+    const double wall = viscosity(flow.ink(), flow.shear_rate_max()) / cross_law(flow.ink()).eta0;
     const double reynolds = std::min(largest_reynolds, largest_wall_reynolds * wall);
     // Stresses in lattice units are this times Re ν0²/N².
-    const double unit = flow.ink().eta0 * flow.velocity_average() / flow.radius();
+    const double unit = cross_law(flow.ink()).eta0 * flow.velocity_average() / flow.radius();
     const double n2 = static_cast<double>(nodes) * nodes;
     struct Limit {
         double viscosity;
@@ -144,7 +145,7 @@ LatticeUnits units_for_cell(const Scene& scene, const NozzleFlow& flow, int node
 
 LatticeUnits units_for_flow(const NozzleFlow& flow, int nodes) {
     const double apparent = flow.pressure_gradient() * flow.radius() * flow.radius() /
-                            (8.0 * flow.velocity_average() * flow.ink().eta0);
+                            (8.0 * flow.velocity_average() * cross_law(flow.ink()).eta0);
     LatticeUnits units = make(flow, nodes, largest_velocity, settling_viscosity * nodes / apparent);
     units.binding = "settling";
     return units;

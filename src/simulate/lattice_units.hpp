@@ -28,7 +28,7 @@ struct LatticeUnits {
     double wall_reynolds;
     std::string binding;
 
-    [[nodiscard]] lattice::CrossRelaxation relaxation(const CrossInk& ink) const;
+    [[nodiscard]] lattice::CrossRelaxation relaxation(const Ink& ink) const;
     /// The same resolution with another viscosity and velocity.
     [[nodiscard]] LatticeUnits with(double velocity_lu, double viscosity_lu, const NozzleFlow& flow) const;
 };

@@ -13,7 +13,7 @@ OffsetUnits offset_units(const OffsetCell& cell, const NozzleFlow& flow) {
     constexpr double stiffest = 0.02;
     const double dx = cell.radius / cell.nodes;
     const double wall_rate = flow.shear_rate_max();
-    const double eta0 = flow.ink().eta0;
+    const double eta0 = cross_law(flow.ink()).eta0;
     const double thinning = viscosity(flow.ink(), wall_rate) / eta0;
     const double square = cell.nodes * cell.nodes;
     // μ_lu = nu0 dt/s with s = η0/μ. Each limit bounds dt for a given nu0; nu0 is chosen so that the last two
@@ -36,7 +36,7 @@ OffsetUnits offset_units(const OffsetCell& cell, const NozzleFlow& flow) {
 
 OffsetLattice lattice_report(const OffsetUnits& units, const NozzleFlow& flow, const OffsetCell& cell,
                              int length) {
-    const double thinning = viscosity(flow.ink(), flow.shear_rate_max()) / flow.ink().eta0;
+    const double thinning = viscosity(flow.ink(), flow.shear_rate_max()) / cross_law(flow.ink()).eta0;
     const double velocity = flow.velocity_average() * units.time / units.spacing;
     const double radius = flow.radius() / units.spacing;
     return {.spacing = units.spacing,

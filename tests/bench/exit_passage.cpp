@@ -26,8 +26,8 @@ void measure(const char* name, int calls, F&& f) {
 int main() {
     using namespace bioprint;
     for (const double alpha : {0.0, 0.75}) {
-        const NozzleFlow flow =
-            NozzleFlow::from_velocity({.eta0 = 10.0, .time_constant = 0.05, .alpha = alpha}, 50e-6, 5e-3);
+        const NozzleFlow flow = NozzleFlow::from_velocity(
+            CrossInk{.eta0 = 10.0, .time_constant = 0.05, .alpha = alpha}, 50e-6, 5e-3);
         const AxisCell cell{.radius = 8e-6, .shear_modulus = 1000.0};
         const AxisEffects none{
             .volume_average = false, .quadratic_flow = false, .disturbed_viscosity = false};

@@ -19,7 +19,7 @@ Case paper_case() {
             .drive_value = 5e-3,
             .ink = {.name = "alginate-2.5",
                     .source = "",
-                    .law = {.eta0 = 10.0, .time_constant = 0.05, .alpha = 0.75}},
+                    .law = CrossInk{.eta0 = 10.0, .time_constant = 0.05, .alpha = 0.75}},
             .cell = {.name = "reference", .source = "", .radius = 8e-6, .shear_modulus = 1e3},
             .positions = {},
             .needle = std::nullopt,
@@ -52,7 +52,7 @@ int main() {
         sum += predict(question).nozzle.stress_max;
     });
     const double ink = microseconds([&](int i) {
-        question.ink.law.alpha = 0.5 + 1e-5 * i;
+        std::get<CrossInk>(question.ink.law).alpha = 0.5 + 1e-5 * i;
         sum += predict(question).nozzle.stress_max;
     });
     question = paper_case();

@@ -24,7 +24,7 @@ Case Question::to_case() const {
             .drive_value = velocity,
             .ink = {.name = "trade",
                     .source = "",
-                    .law = {.eta0 = 10.0, .eta_inf = 0.0, .time_constant = 0.05, .alpha = alpha}},
+                    .law = CrossInk{.eta0 = 10.0, .eta_inf = 0.0, .time_constant = 0.05, .alpha = alpha}},
             .cell = {.name = "trade", .source = "", .radius = 8e-6, .shear_modulus = shear_modulus},
             .positions = {{kind->offset, true}},
             .needle = std::nullopt};

@@ -146,10 +146,10 @@ TEST_CASE("exit axis: nine of ten simulated inks with a remaining viscosity are 
     int all = 0;
     for (const SimulatedExit& ink : inks) {
         if (ink.remainder == 0.0) continue;
-        const ExitAxis axis(NozzleFlow::from_velocity({.eta0 = 10.0,
-                                                       .eta_inf = 10.0 * ink.remainder,
-                                                       .time_constant = ink.rate * radius / 5e-3,
-                                                       .alpha = ink.alpha},
+        const ExitAxis axis(NozzleFlow::from_velocity(CrossInk{.eta0 = 10.0,
+                                                               .eta_inf = 10.0 * ink.remainder,
+                                                               .time_constant = ink.rate * radius / 5e-3,
+                                                               .alpha = ink.alpha},
                                                       radius, 5e-3));
         double velocity = 0.0;
         for (std::size_t k = 0; k < places.size(); ++k) {
@@ -181,8 +181,8 @@ TEST_CASE(
     "strand") {
     for (double alpha = 0.0; alpha < 1.0; alpha += 0.05) {
         for (double k = 1e-8; k < 1e8; k *= 10.0) {
-            const NozzleFlow flow =
-                NozzleFlow::from_velocity({.eta0 = 10.0, .time_constant = k, .alpha = alpha}, radius, 5e-3);
+            const NozzleFlow flow = NozzleFlow::from_velocity(
+                CrossInk{.eta0 = 10.0, .time_constant = k, .alpha = alpha}, radius, 5e-3);
             const ExitAxis axis(flow);
             // The Newtonian ink runs 1.3e-4 faster at X = −1.7 than far upstream, in finite elements too.
             const double allowed = 4e-4 * flow.velocity_excess();

@@ -16,7 +16,8 @@ constexpr double radius = 50e-6;
 constexpr double cell_radius = 8e-6;
 
 NozzleFlow nozzle(double alpha) {
-    return NozzleFlow::from_velocity({.eta0 = 10.0, .time_constant = 0.05, .alpha = alpha}, radius, 5e-3);
+    return NozzleFlow::from_velocity(CrossInk{.eta0 = 10.0, .time_constant = 0.05, .alpha = alpha}, radius,
+                                     5e-3);
 }
 
 PopulationRequest cells(int nodes = 16) {

@@ -18,7 +18,8 @@ constexpr double radius = 50e-6;
 constexpr double cell_radius = 8e-6;
 
 NozzleFlow nozzle(double alpha) {
-    return NozzleFlow::from_velocity({.eta0 = 10.0, .time_constant = 0.05, .alpha = alpha}, radius, 5e-3);
+    return NozzleFlow::from_velocity(CrossInk{.eta0 = 10.0, .time_constant = 0.05, .alpha = alpha}, radius,
+                                     5e-3);
 }
 
 /// The bullet's elastic stress at a point of the unit ball, G = a = 1; z along x.

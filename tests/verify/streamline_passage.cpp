@@ -18,7 +18,8 @@ using namespace bioprint;
 constexpr double radius = 50e-6;
 
 NozzleFlow nozzle(double alpha) {
-    return NozzleFlow::from_velocity({.eta0 = 10.0, .time_constant = 0.05, .alpha = alpha}, radius, 5e-3);
+    return NozzleFlow::from_velocity(CrossInk{.eta0 = 10.0, .time_constant = 0.05, .alpha = alpha}, radius,
+                                     5e-3);
 }
 
 }  // namespace

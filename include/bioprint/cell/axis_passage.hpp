@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bioprint/function_ref.hpp"
-#include "bioprint/rheology/cross.hpp"
+#include "bioprint/rheology/ink.hpp"
 
 /// A cell carried along the axis of an axisymmetric flow: an ellipsoid of revolution in time, with the first
 /// effects of the cell's own size.
@@ -23,6 +23,9 @@
 ///   · the thinning of the ink by the cell's own disturbance (η_b: see thinning_response.hpp) and inside the
 ///   cell,
 ///     whose viscosity is λ times the ink's at the inner rate, as it is when the cell is filled with ink.
+///
+/// An ink without a viscosity at rest (power law, yield stress) is taken at that of a millionth of velocity over cell
+/// radius where it rests: there it holds the cell as it is, but for what the cell's own relaxation thins.
 ///
 /// Validity: a cell small against the nozzle (a third at most), no wall; to first order in the quadratic
 /// part. Accuracy of the integration: 1e-6 of the peak stress. That of the model: see
@@ -89,10 +92,10 @@ struct AxisPassage {
 /// @param observe  called with the cell's state in order of z, start and end included
 /// @throws UsageError    a value outside its range or not finite
 /// @throws NotConverged  the integrator gave up
-AxisPassage carry_along_axis(FunctionRef<AxisFlow(double)> flow, const CrossInk& ink, const AxisCell& cell,
+AxisPassage carry_along_axis(FunctionRef<AxisFlow(double)> flow, const Ink& ink, const AxisCell& cell,
                              const AxisWay& way, const AxisEffects& effects,
                              FunctionRef<void(const AxisCellState&)> observe);
-AxisPassage carry_along_axis(FunctionRef<AxisFlow(double)> flow, const CrossInk& ink, const AxisCell& cell,
+AxisPassage carry_along_axis(FunctionRef<AxisFlow(double)> flow, const Ink& ink, const AxisCell& cell,
                              const AxisWay& way, const AxisEffects& effects = {});
 
 }  // namespace bioprint

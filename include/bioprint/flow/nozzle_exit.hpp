@@ -23,6 +23,6 @@ NozzleExit nozzle_exit(const NozzleFlow& flow);
 
 /// The flow at which the elongational stress of the exit reaches `stress` [Pa] > 0; none when this ink bears
 /// no such flow.
-std::optional<NozzleFlow> flow_at_elongational_stress(const CrossInk& ink, double radius, double stress);
+std::optional<NozzleFlow> flow_at_elongational_stress(const Ink& ink, double radius, double stress);
 
 }  // namespace bioprint

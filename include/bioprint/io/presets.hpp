@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bioprint/rheology/cross.hpp"
+#include "bioprint/rheology/ink.hpp"
 
 /// Inks, cells and nozzles from the literature and from catalogues: the files in data/, built into the
 /// library.
@@ -27,8 +27,8 @@ struct InkPreset {
     std::string material;
     std::string composition;
     std::optional<double> temperature;       ///< [°C]
-    CrossInk ink;                            ///< SI
-    std::optional<double> eta0_sd;           ///< standard deviation [Pa s]
+    Ink ink;                                 ///< SI
+    std::optional<double> eta0_sd;           ///< standard deviation [Pa s]; these four of the Cross law
     std::optional<double> eta_inf_sd;        ///< [Pa s]
     std::optional<double> time_constant_sd;  ///< [s]
     std::optional<double> alpha_sd;
@@ -84,7 +84,8 @@ const InkPreset& find_ink(std::string_view name, std::string_view option = "--in
 const CellPreset& find_cell(std::string_view name, std::string_view option = "--cell");
 
 /// An ink from a preset file: one object of the shape used in data/inks.json, or an object whose `inks` holds
-/// one. A parameter may also be a string such as "10 Pa.s". Required are eta0, time_constant and alpha.
+/// one. A parameter may also be a string such as "10 Pa.s". Without a `law` it is the Cross law, of which eta0,
+/// time_constant and alpha are required.
 /// @throws DataError   the file cannot be read
 /// @throws UsageError  it is malformed; the message names the field
 InkPreset load_ink_file(const std::string& path);

@@ -7,7 +7,7 @@
 /// Numbers with units, as people write them: `50um`, `0.1 mm`, `141uL/h`, `10 Pa.s`, `30 psi`.
 ///
 /// A number alone is SI. A unit is a product of known units with whole powers: `uL/h`, `mm^3/s`, `MPa/m`, `Pa
-/// s`, `Pa·s`, `kg/m/s`, `s-1`. The micro sign may be u or either µ of Unicode; superscripts, U+2212 as minus
+/// s`, `Pa·s`, `kg/m/s`, `s-1`, and `Pa.s^n` for a consistency, whose n is the flow index given beside it. The micro sign may be u or either µ of Unicode; superscripts, U+2212 as minus
 /// and no-break spaces are read. Upper and lower case differ (mPa is not MPa), except for the litre.
 ///
 /// Degenerate cases, all refused with the option, what was given and what is taken: no number, nan, inf,
@@ -29,6 +29,7 @@ enum class Dimension {
     viscosity,          // Pa s
     time,               // s
     rate,               // 1/s
+    consistency,        // Pa s^n, n the flow index of the ink
 };
 
 /// How numbers are written in a text. With `decimal_comma`, 1,5 is read and 1.5 is refused, lists are

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "bioprint/rheology/cross.hpp"
+#include "bioprint/rheology/ink.hpp"
 
 /// What is asked: a nozzle, what drives the flow through it, an ink, a cell and where it flows. SI units.
 namespace bioprint {
@@ -13,7 +13,7 @@ namespace bioprint {
 struct InkChoice {
     std::string name;
     std::string source;
-    CrossInk law;
+    Ink law;
 };
 
 struct CellChoice {

@@ -20,9 +20,10 @@ struct NozzleAnswer {
     double shear_rate_average;             ///< over the cross-section [1/s]
     double stress_max;                     ///< at the wall [Pa]
     double stress_average;                 ///< over the cross-section [Pa]
-    double viscosity_wall;                 ///< [Pa s]
+    double viscosity_wall;                 ///< [Pa s]; +infinity at rest in an ink that has none there
     std::optional<double> pressure_drop;   ///< [Pa], with a length
     std::optional<double> residence_time;  ///< length/u_avg [s], with a length and a flow
+    std::optional<double> plug_radius;     ///< within which the ink is not sheared [m], with a yield stress
 };
 
 struct ExitAnswer {
@@ -81,7 +82,7 @@ struct RadialProfile {
     std::vector<double> r;           ///< [m]
     std::vector<double> velocity;    ///< [m/s]
     std::vector<double> shear_rate;  ///< [1/s]
-    std::vector<double> viscosity;   ///< [Pa s]
+    std::vector<double> viscosity;   ///< [Pa s]; +infinity where the ink rests and has none there
     std::vector<double> stress;      ///< [Pa]
 };
 

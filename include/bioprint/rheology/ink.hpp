@@ -24,11 +24,14 @@ double rate_at_stress(const Ink& ink, double stress);
 /// The stress below which the ink does not flow [Pa]; 0 for laws without one.
 double yield_stress(const Ink& ink);
 
+/// Whether the viscosity at rest is a number above zero.
+bool has_rest_viscosity(const Ink& ink);
+
 /// "cross", "power-law", "carreau-yasuda" or "herschel-bulkley".
 std::string_view law_name(const Ink& ink);
 
-/// The Cross law, for what knows no other.
-/// @throws UsageError  the ink follows another law; `who` names what asked
-const CrossInk& cross_law(const Ink& ink, std::string_view who);
+/// The Cross law, for the simulation, which knows no other.
+/// @throws UsageError  the ink follows another law
+const CrossInk& cross_law(const Ink& ink);
 
 }  // namespace bioprint

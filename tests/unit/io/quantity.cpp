@@ -27,6 +27,22 @@ std::string refusal(std::string_view text, Dimension dimension, NumberStyle styl
 
 }  // namespace
 
+TEST_CASE("quantity: a consistency carries the flow index in its unit") {
+    for (const char* text : {"10", "10Pa.s^n", "10 Pa s^n", "10 Pa\u00B7s^n", "10 Pas^n", "10Pa.s\u207F",
+                             "1e4 mPa.s^n", "0.01kPa.s^n"}) {
+        CAPTURE(text);
+        CHECK(parse_quantity(text, Dimension::consistency, "--consistency") == 10.0);
+    }
+    CHECK(parse_quantity("1 " + std::string(si_unit(Dimension::consistency)), Dimension::consistency, "") ==
+          1.0);
+    CHECK_THROWS_WITH_AS(parse_quantity("10Pa.s", Dimension::consistency, "--consistency"),
+                         "--consistency: got '10Pa.s', a viscosity; it takes a consistency such as 10Pa.s^n",
+                         UsageError);
+    CHECK_THROWS_WITH_AS(parse_quantity("10Pa.s^0.4", Dimension::consistency, "--consistency"),
+                         doctest::Contains("did you mean 'Pa.s^n'?"), UsageError);
+    CHECK_THROWS_AS(parse_quantity("10Pa.s^n", Dimension::viscosity, "--eta0"), UsageError);
+}
+
 TEST_CASE("quantity: a number alone is SI") {
     CHECK(length("5e-5") == 5e-5);
     CHECK(length("+5E-5") == 5e-5);

@@ -15,7 +15,7 @@ Json answer() {
     return Json::parse(R"({
         "schema": "bioprint-predict/1", "program": {"name": "bioprint-predict", "version": "1.0.0"},
         "input": {"radius": 5e-5, "length": null, "flow_rate": 3.9e-11,
-                  "ink": {"name": "a", "source": "b", "eta0": 10, "eta_inf": 0, "time_constant": 0.05, "alpha": 0.75},
+                  "ink": {"name": "a", "source": "b", "law": "cross", "eta0": 10, "eta_inf": 0, "time_constant": 0.05, "alpha": 0.75},
                   "cell": {"name": "c", "source": "d", "radius": 8e-6, "shear_modulus": 1000, "poisson_ratio": 0.48,
                            "viscosity_ratio": 1},
                   "offsets": [0, 1.2e-5]},

@@ -28,7 +28,7 @@ TEST_CASE("exit kind: a Newtonian ink and an ink at rest have both numbers 1") {
     CHECK(newtonian.index == doctest::Approx(1.0).epsilon(1e-9));
     CHECK(newtonian.wall_index == doctest::Approx(1.0).epsilon(1e-12));
     const ExitKind resting = exit_kind(
-        NozzleFlow::from_velocity({.eta0 = 10.0, .time_constant = 0.05, .alpha = 0.75}, 50e-6, 0.0));
+        NozzleFlow::from_velocity(CrossInk{.eta0 = 10.0, .time_constant = 0.05, .alpha = 0.75}, 50e-6, 0.0));
     CHECK(resting.index == 1.0);
     CHECK(resting.wall_index == 1.0);
 }

@@ -70,7 +70,7 @@ TEST_CASE("laws: an ink of any law answers as its own law does") {
     CHECK(stress(ink, 3.0) == stress(law, 3.0));
     CHECK(yield_stress(ink) == 60.0);
     CHECK(yield_stress(Ink(PowerLawInk{.consistency = 1.0, .flow_index = 0.5})) == 0.0);
-    CHECK_THROWS_AS(cross_law(ink, "test"), UsageError);
+    CHECK_THROWS_AS(cross_law(ink), UsageError);
 }
 
 TEST_CASE("laws: a Carreau-Yasuda ink of index 1 is Newtonian with its zero-shear viscosity") {

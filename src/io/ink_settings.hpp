@@ -1,0 +1,12 @@
+#pragma once
+
+#include "io/settings.hpp"
+
+/// The ink a user meant: a preset or a law, with single parameters given over it.
+namespace bioprint {
+
+/// @throws UsageError  an unknown preset or law, a parameter that the law has not, or one that it misses
+/// @throws DataError   a preset file that cannot be read
+InkChoice ink_choice(const Settings& settings);
+
+}  // namespace bioprint
