@@ -1,0 +1,3 @@
+bioprint_tests(fit
+  SOURCES verify/fit_coverage.cpp
+  LINKS rheology)
