@@ -6,6 +6,7 @@
 
 #include "bioprint/errors.hpp"
 #include "bioprint/io/answer.hpp"
+#include "cli/long_run.hpp"
 
 namespace bioprint {
 namespace {
@@ -40,6 +41,7 @@ struct Raw {
     std::optional<std::string> fidelity;
     std::optional<std::string> resolution;
     bool json = false;
+    RawLongRun long_run;
 };
 
 std::string option_names(const KeyInfo& info) {
@@ -237,7 +239,9 @@ void collect_simulation(const Raw& raw, Arguments& arguments, Problems& problems
 
 }  // namespace
 
-std::optional<Arguments> parse_arguments(int argc, const char* const* argv) {
+namespace {
+
+std::optional<Arguments> parse_words(int argc, const char* const* argv) {
     CLI::App app(description, std::string(program_name));
     app.set_help_flag("-h,--help", "this text");
     app.set_version_flag("--version", std::string(program_name) + " " + std::string(program_version()));
@@ -250,6 +254,7 @@ std::optional<Arguments> parse_arguments(int argc, const char* const* argv) {
     add_prediction_options(app, raw);
     add_answer_options(app, raw, arguments);
     add_simulation_options(app, raw);
+    add_long_run_options(app, raw.long_run);
     Problems problems;
     try {
         app.parse(argc, argv);
@@ -268,11 +273,26 @@ std::optional<Arguments> parse_arguments(int argc, const char* const* argv) {
                          "; see bioprint-predict --help",
                      extra);
     }
-    collect_question(app, raw, arguments, problems);
+    arguments.typed = typed_question(app);
+    // Beside --resume the question is what the run was asked.
+    if (!raw.long_run.resume) collect_question(app, raw, arguments, problems);
     collect_answer(raw, arguments, problems);
-    collect_simulation(raw, arguments, problems);
+    if (!raw.long_run.resume) collect_simulation(raw, arguments, problems);
+    collect_long_run(raw.long_run, arguments, problems);
     problems.raise();
     return arguments;
+}
+
+}  // namespace
+
+std::optional<Arguments> parse_arguments(int argc, const char* const* argv) {
+    const std::optional<Arguments> now = parse_words(argc, argv);
+    if (!now || !now->long_run || !now->long_run->resumed) return now;
+    const std::vector<std::string> words = resumed_words(now->long_run->directory, now->typed);
+    std::vector<const char*> pointers;
+    for (const std::string& word : words) pointers.push_back(word.c_str());
+    const std::optional<Arguments> then = parse_words(static_cast<int>(pointers.size()), pointers.data());
+    return with_call(then.value(), *now);
 }
 
 }  // namespace bioprint

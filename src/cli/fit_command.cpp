@@ -13,7 +13,6 @@
 #include "bioprint/io/quantity.hpp"
 #include "io/fit_answer.hpp"
 #include "io/fit_table.hpp"
-#include "io/row_answer.hpp"
 #include "io/settings.hpp"
 #include "io/whole_file.hpp"
 
@@ -168,13 +167,8 @@ void say_notes(const FitAnswer& answer) {
 }
 
 std::string text_of(const FitAnswer& answer, const FitCall& call, const Raw& raw) {
-    if (!raw.paths.empty()) {
-        const Json object = fit_object(answer);
-        std::string text;
-        for (const std::string& path : raw.paths) text += value_text(value_at(object, path)) + "\n";
-        return text;
-    }
-    if (call.format == FitFormat::json) return json_text(fit_object(answer), 2) + "\n";
+    if (!raw.paths.empty()) return fit_values_text(answer, raw.paths);
+    if (call.format == FitFormat::json) return fit_json_text(answer);
     if (call.format == FitFormat::csv) return fit_csv(answer);
     const char* const no_color = std::getenv("NO_COLOR");
     const bool colorless = raw.no_color || (no_color != nullptr && *no_color != '\0');
@@ -215,7 +209,7 @@ int run_fit_command(int argc, const char* const* argv) {
     output.write(text_of(answer, call, raw));
     if (raw.preset) {
         WholeFile preset(*raw.preset);
-        preset.write(json_text(fit_preset(answer), 2) + "\n");
+        preset.write(fit_preset_text(answer));
         preset.commit();
     }
     output.commit();

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "bioprint/errors.hpp"
 #include "bioprint/io/answer.hpp"
 #include "bioprint/io/number_format.hpp"
 #include "io/csv.hpp"
-#include "io/row_answer.hpp"
 
 namespace bioprint {
 namespace {
@@ -170,8 +170,31 @@ std::string_view fit_unit(std::string_view parameter) {
     return "1";
 }
 
+double fit_rounded(double value, int digits) {
+    if (value == 0.0 || !std::isfinite(value)) return value;
+    // The power by which the decimals move; applied so that only representable powers of ten multiply.
+    const int shift = digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(value))));
+    const double scale = std::pow(10.0, std::abs(shift));
+    return shift >= 0 ? std::round(value * scale) / scale : std::round(value / scale) * scale;
+}
+
+std::string fit_options_line(const FitAnswer& answer) {
+    const auto option = [](std::string_view name, double value, std::string_view unit) {
+        return "--" + std::string(name) + " " + format_shortest(fit_rounded(value)) + std::string(unit);
+    };
+    const LawFit& fit = answer.chosen;
+    if (fit.choice.law == FittedLaw::newtonian) {
+        return option("eta0", 2.0 * fit.parameters.front().value, "Pa.s") + " --alpha 0";
+    }
+    if (fit.choice.law != FittedLaw::cross) return {};
+    std::string line = option("eta0", fit.find("eta0")->value, "Pa.s");
+    if (fit.eta_inf > 0.0) line += " " + option("eta-inf", fit.eta_inf, "Pa.s");
+    return line + " " + option("time-constant", fit.find("time_constant")->value, "s") + " " +
+           option("alpha", fit.find("alpha")->value, "");
+}
+
 std::string fit_csv(const FitAnswer& answer) {
-    CsvWriter writer(fresh_dialect());
+    CsvWriter writer(CsvDialect{.line_end = "\r\n"});
     for (const char* const head :
          {"shear_rate [1/s]", "viscosity [Pa.s]", "fitted [Pa.s]", "residual", "used", "line", "interval"}) {
         writer.add_text(head);

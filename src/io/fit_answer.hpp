@@ -7,7 +7,6 @@
 
 #include "bioprint/predict/prediction.hpp"
 #include "bioprint/rheology/flow_curve_fit.hpp"
-#include "io/answer_object.hpp"
 #include "io/rheometer_reader.hpp"
 
 /// From a rheometer's file to an ink: what `bioprint-predict fit` answers.
@@ -59,17 +58,24 @@ FitAnswer answer_fit(const FitQuestion& question, RheometerData data);
 /// What the data leave open, and where the law ends: for `warnings`.
 std::vector<Warning> fit_warnings(const FitAnswer& answer);
 
-/// The answer as JSON, schema bioprint-fit/1.
-Json fit_object(const FitAnswer& answer);
+/// The answer as JSON, schema bioprint-fit/1 (data/schema/fit.schema.json).
+std::string fit_json_text(const FitAnswer& answer);
 
 /// The ink in the form of data/inks.json, for `--ink FILE`.
-Json fit_preset(const FitAnswer& answer);
+std::string fit_preset_text(const FitAnswer& answer);
+
+/// The values at dotted paths of the JSON, a line each.
+/// @throws UsageError  there is none
+std::string fit_values_text(const FitAnswer& answer, const std::vector<std::string>& paths);
 
 /// The ink as options of a prediction: "--eta0 10Pa.s --time-constant 0.05s --alpha 0.75".
 std::string fit_options_line(const FitAnswer& answer);
 
 /// The points, used and not, with fit and residual: RFC 4180.
 std::string fit_csv(const FitAnswer& answer);
+
+/// `value` to so many significant digits; six are beyond what any rheometer tells, and short enough to read.
+double fit_rounded(double value, int digits = 6);
 
 /// The unit of a parameter as a preset writes it: "Pa.s", "s", "Pa.s^n", "1", …
 std::string_view fit_unit(std::string_view parameter);

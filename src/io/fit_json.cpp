@@ -4,23 +4,16 @@
 #include "bioprint/errors.hpp"
 #include "bioprint/io/answer.hpp"
 #include "bioprint/io/number_format.hpp"
+#include "io/answer_object.hpp"
 #include "io/fit_answer.hpp"
 #include "io/number_columns.hpp"
+#include "io/row_answer.hpp"
 
 namespace bioprint {
 namespace {
 
 Json number(double value) {
     return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
-/// Six digits: beyond what any rheometer tells, short enough to read.
-double rounded(double value, int digits = 6) {
-    if (value == 0.0 || !std::isfinite(value)) return value;
-    // The power by which the decimals move; applied so that only representable powers of ten multiply.
-    const int shift = digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(value))));
-    const double scale = std::pow(10.0, std::abs(shift));
-    return shift >= 0 ? std::round(value * scale) / scale : std::round(value / scale) * scale;
 }
 
 std::string law_title(const LawChoice& choice) {
@@ -113,8 +106,8 @@ Json points_object(const FitAnswer& answer) {
 }
 
 Json preset_value(double value, const std::optional<double>& error, std::string_view unit) {
-    Json entry = {{"value", rounded(value)}, {"unit", unit}};
-    if (error && std::isfinite(*error)) entry["sd"] = rounded(*error, 3);
+    Json entry = {{"value", fit_rounded(value)}, {"unit", unit}};
+    if (error && std::isfinite(*error)) entry["sd"] = fit_rounded(*error, 3);
     return entry;
 }
 
@@ -148,8 +141,6 @@ std::string preset_note(const FitAnswer& answer) {
     return note;
 }
 
-}  // namespace
-
 Json fit_preset(const FitAnswer& answer) {
     Json preset = {{"name", answer.name},
                    {"aliases", Json::array()},
@@ -157,33 +148,18 @@ Json fit_preset(const FitAnswer& answer) {
                    {"composition", "not given"},
                    {"temperature", nullptr}};
     if (answer.temperature)
-        preset["temperature"] = {{"value", rounded(*answer.temperature, 4)}, {"unit", "degC"}};
+        preset["temperature"] = {{"value", fit_rounded(*answer.temperature, 4)}, {"unit", "degC"}};
     const FittedLaw law = answer.chosen.choice.law;
     if (law != FittedLaw::cross && law != FittedLaw::newtonian) preset["law"] = law_name(law);
     preset["parameters"] = preset_parameters(answer.chosen);
     preset["shear_rate_range"] = {
-        {"min", rounded(answer.rate_low)}, {"max", rounded(answer.rate_high)}, {"unit", "1/s"}};
+        {"min", fit_rounded(answer.rate_low)}, {"max", fit_rounded(answer.rate_high)}, {"unit", "1/s"}};
     const bool all = std::all_of(answer.chosen.parameters.begin(), answer.chosen.parameters.end(),
                                  [](const FittedParameter& p) { return p.determined; });
     preset["grade"] = all ? "A" : "B";
     preset["source"] = answer.source;
     preset["note"] = preset_note(answer);
     return preset;
-}
-
-std::string fit_options_line(const FitAnswer& answer) {
-    const auto option = [](std::string_view name, double value, std::string_view unit) {
-        return "--" + std::string(name) + " " + format_shortest(rounded(value)) + std::string(unit);
-    };
-    const LawFit& fit = answer.chosen;
-    if (fit.choice.law == FittedLaw::newtonian) {
-        return option("eta0", 2.0 * fit.parameters.front().value, "Pa.s") + " --alpha 0";
-    }
-    if (fit.choice.law != FittedLaw::cross) return {};
-    std::string line = option("eta0", fit.find("eta0")->value, "Pa.s");
-    if (fit.eta_inf > 0.0) line += " " + option("eta-inf", fit.eta_inf, "Pa.s");
-    return line + " " + option("time-constant", fit.find("time_constant")->value, "s") + " " +
-           option("alpha", fit.find("alpha")->value, "");
 }
 
 Json fit_object(const FitAnswer& answer) {
@@ -205,6 +181,23 @@ Json fit_object(const FitAnswer& answer) {
             {"options", options.empty() ? Json(nullptr) : Json(options)},
             {"preset", fit_preset(answer)},
             {"warnings", std::move(warnings)}};
+}
+
+}  // namespace
+
+std::string fit_json_text(const FitAnswer& answer) {
+    return json_text(fit_object(answer), 2) + "\n";
+}
+
+std::string fit_preset_text(const FitAnswer& answer) {
+    return json_text(fit_preset(answer), 2) + "\n";
+}
+
+std::string fit_values_text(const FitAnswer& answer, const std::vector<std::string>& paths) {
+    const Json object = fit_object(answer);
+    std::string text;
+    for (const std::string& path : paths) text += value_text(value_at(object, path)) + "\n";
+    return text;
 }
 
 }  // namespace bioprint

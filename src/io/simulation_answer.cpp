@@ -170,12 +170,8 @@ std::string simulation_table(const Comparison& comparison, const SimulationQuest
     return text;
 }
 
-void write(const Prediction& prediction, const Comparison& comparison, const SimulationQuestion& question,
-           const RunOptions& options, const Sink& sink) {
-    if (options.format == Format::table && options.paths.empty()) {
-        return sink(answer_table(prediction, options.style) +
-                    simulation_table(comparison, question, options.style));
-    }
+Json simulated_answer(const Prediction& prediction, const Comparison& comparison,
+                      const SimulationQuestion& question) {
     Json answer = answer_object(prediction);
     answer["simulation"] = simulation_object(comparison, question);
     for (const SimulationWarning& warning : comparison.run.warnings) {
@@ -183,6 +179,16 @@ void write(const Prediction& prediction, const Comparison& comparison, const Sim
         std::replace(code.begin(), code.end(), '-', '_');
         answer["warnings"].push_back({{"code", code}, {"message", warning.message}});
     }
+    return answer;
+}
+
+void write(const Prediction& prediction, const Comparison& comparison, const SimulationQuestion& question,
+           const RunOptions& options, const Sink& sink) {
+    if (options.format == Format::table && options.paths.empty()) {
+        return sink(answer_table(prediction, options.style) +
+                    simulation_table(comparison, question, options.style));
+    }
+    const Json answer = simulated_answer(prediction, comparison, question);
     if (!options.paths.empty()) {
         for (const std::string& path : options.paths) sink(value_text(value_at(answer, path)) + "\n");
         return;
@@ -240,7 +246,8 @@ double resolution_of(const SimulationQuestion& question) {
 }
 
 void answer_with_simulation(const Settings& settings, const SimulationQuestion& question,
-                            const RunOptions& options, SimulationOptions simulation, const Sink& sink) {
+                            const RunOptions& options, SimulationOptions simulation, const Sink& sink,
+                            SimulationFiles* files) {
     if (options.format == Format::csv) {
         throw UsageError("--format: a simulation is answered as table, json or jsonl", "--format");
     }
@@ -252,12 +259,18 @@ void answer_with_simulation(const Settings& settings, const SimulationQuestion& 
             "--viscosity-ratio");
     }
     simulation.resolution = resolution_of(question);
+    if (files != nullptr) files->attach(simulation);
     try {
         const Comparison comparison = compare_with_simulation(prediction, scene, simulation);
         const std::string failure = breakdown(comparison.run);
         if (!failure.empty()) throw SimulationIncomplete(failure, comparison.run);
+        if (files != nullptr) {
+            files->write_series(comparison.run.series);
+            files->write_answer(json_text(simulated_answer(prediction, comparison, question), 2) + "\n");
+        }
         write(prediction, comparison, question, options, sink);
     } catch (const SimulationIncomplete& e) {
+        if (files != nullptr) files->write_series(e.result().series);
         write(prediction, compare(prediction, e.result()), question, options, sink);
         throw;
     }

@@ -10,7 +10,7 @@
 namespace bioprint::test {
 
 enum class ExportKind {
-    rheocompass_german,   ///< UTF-16LE with a mark, tabs, decimal commas, German names, a rest before the curve
+    rheocompass_german,  ///< UTF-16LE with a mark, tabs, decimal commas, German names, a rest before the curve
     rheocompass_english,  ///< the same as CSV in UTF-8, viscosity in mPa·s
     trios,                ///< [step] blocks, tabs, a row of units
     malvern,              ///< commas, units in the names
@@ -18,9 +18,13 @@ enum class ExportKind {
     plain,                ///< two columns, nothing else
     plain_named,          ///< two columns under their names, blanks between
 };
-inline constexpr std::array<ExportKind, 7> export_kinds = {
-    ExportKind::rheocompass_german, ExportKind::rheocompass_english, ExportKind::trios, ExportKind::malvern,
-    ExportKind::german_excel,       ExportKind::plain,               ExportKind::plain_named};
+inline constexpr std::array<ExportKind, 7> export_kinds = {ExportKind::rheocompass_german,
+                                                           ExportKind::rheocompass_english,
+                                                           ExportKind::trios,
+                                                           ExportKind::malvern,
+                                                           ExportKind::german_excel,
+                                                           ExportKind::plain,
+                                                           ExportKind::plain_named};
 std::string_view kind_name(ExportKind kind);
 
 struct ExportPoint {

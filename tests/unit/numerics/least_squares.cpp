@@ -29,7 +29,8 @@ constexpr double rounding = 1e-9;
 
 }  // namespace
 
-TEST_CASE("least squares: a line through four points has the solution and covariance of the normal equations") {
+TEST_CASE(
+    "least squares: a line through four points has the solution and covariance of the normal equations") {
     const Line line{{1.0, 2.0, 2.0, 5.0}};
     const LeastSquaresFit fit =
         fit_least_squares({.points = 4, .parameters = 2, .evaluate = line}, std::vector<double>{0.0, 0.0});
@@ -104,9 +105,9 @@ TEST_CASE("least squares: fewer points than parameters or a start without residu
         fit_least_squares({.points = 1, .parameters = 2, .evaluate = line}, std::vector<double>{0.0, 0.0}),
         NotConverged);
     const Line four{{1.0, 2.0, 3.0, 4.0}};
-    CHECK_THROWS_AS(
-        fit_least_squares({.points = 4, .parameters = 2, .evaluate = four}, std::vector<double>{std::nan(""), 0.0}),
-        NotConverged);
+    CHECK_THROWS_AS(fit_least_squares({.points = 4, .parameters = 2, .evaluate = four},
+                                      std::vector<double>{std::nan(""), 0.0}),
+                    NotConverged);
 }
 
 TEST_CASE("least squares: quantiles of Student match the tables") {

@@ -15,7 +15,8 @@ namespace {
 
 using Law = std::function<double(double)>;
 
-std::vector<FlowPoint> curve(const Law& law, double low, double high, int count, double error = 0.0, unsigned seed = 1) {
+std::vector<FlowPoint> curve(const Law& law, double low, double high, int count, double error = 0.0,
+                             unsigned seed = 1) {
     std::mt19937 random(seed);
     std::normal_distribution<double> noise(0.0, 1.0);
     std::vector<FlowPoint> points;
@@ -44,7 +45,8 @@ double value(const LawFit& fit, std::string_view name) {
 TEST_CASE("fit: exact curves of every law give back their parameters") {
     SUBCASE("newtonian") {
         const FlowCurveFit fit = fit_flow_curve(curve([](double) { return 0.15; }, 0.01, 1000.0, 20));
-        CHECK(value(*fit.find({FittedLaw::newtonian, false}), "eta0") == doctest::Approx(0.15).epsilon(exact));
+        CHECK(value(*fit.find({FittedLaw::newtonian, false}), "eta0") ==
+              doctest::Approx(0.15).epsilon(exact));
     }
     SUBCASE("power law") {
         const auto points = curve([](double g) { return 30.6 * std::pow(g, 0.46 - 1.0); }, 0.1, 100.0, 20);
@@ -58,8 +60,7 @@ TEST_CASE("fit: exact curves of every law give back their parameters") {
             for (const double alpha : {0.3, 0.75, 1.0, 1.3}) {
                 CAPTURE(k);
                 CAPTURE(alpha);
-                const FlowCurveFit fit =
-                    fit_flow_curve(curve(cross(10.0, k, alpha), 1e-3 / k, 1e4 / k, 25));
+                const FlowCurveFit fit = fit_flow_curve(curve(cross(10.0, k, alpha), 1e-3 / k, 1e4 / k, 25));
                 const LawFit& law = *fit.find({FittedLaw::cross, false});
                 CHECK(value(law, "eta0") == doctest::Approx(10.0).epsilon(exact));
                 CHECK(value(law, "time_constant") == doctest::Approx(k).epsilon(exact));
@@ -76,7 +77,9 @@ TEST_CASE("fit: exact curves of every law give back their parameters") {
         CHECK(fit.laws.front().choice.fit_eta_inf);
     }
     SUBCASE("carreau-yasuda") {
-        const Law law = [](double g) { return 50.0 * std::pow(1.0 + std::pow(0.7 * g, 1.6), (0.35 - 1.0) / 1.6); };
+        const Law law = [](double g) {
+            return 50.0 * std::pow(1.0 + std::pow(0.7 * g, 1.6), (0.35 - 1.0) / 1.6);
+        };
         const FlowCurveFit fit = fit_flow_curve(curve(law, 1e-3, 1e4, 40));
         const LawFit& carreau = *fit.find({FittedLaw::carreau_yasuda, false});
         CHECK(value(carreau, "eta0") == doctest::Approx(50.0).epsilon(1e-6));
@@ -131,7 +134,8 @@ TEST_CASE("fit: without a plateau only the combination of eta0 and K is determin
     CHECK(std::abs(m.value - truth) < 4.0 * m.standard_error);
     CHECK(m.standard_error < 0.1 * truth);
     // In the rates measured the law is as good as ever.
-    for (std::size_t i = 0; i < points.size(); ++i) CHECK(law.fitted[i] == doctest::Approx(points[i].viscosity).epsilon(0.1));
+    for (std::size_t i = 0; i < points.size(); ++i)
+        CHECK(law.fitted[i] == doctest::Approx(points[i].viscosity).epsilon(0.1));
 }
 
 TEST_CASE("fit: without thinning K and alpha are not determined and a constant is the better law") {
@@ -148,7 +152,8 @@ TEST_CASE("fit: the information criterion finds the law behind noisy points") {
     int right = 0;
     for (unsigned seed = 1; seed <= 20; ++seed) {
         right += best(cross(10.0, 0.5, 0.75), seed) == FittedLaw::cross ? 1 : 0;
-        right += best([](double g) { return 60.0 / g + 20.0 * std::pow(g, 0.5 - 1.0); }, seed) == FittedLaw::herschel_bulkley;
+        right += best([](double g) { return 60.0 / g + 20.0 * std::pow(g, 0.5 - 1.0); }, seed) ==
+                 FittedLaw::herschel_bulkley;
         right += best([](double g) { return 30.0 * std::pow(g, -0.5); }, seed) == FittedLaw::power_law;
     }
     // AICc prefers a needless parameter in some 16 % of the cases where the smaller law is true.
@@ -181,7 +186,8 @@ TEST_CASE("fit: a point of weight four is worth four of weight one") {
     for (FlowPoint& p : points) p.weight = 4.0;
     const LawFit once = *fit_flow_curve(points).find({FittedLaw::cross, false});
     const LawFit four = *fit_flow_curve(repeated).find({FittedLaw::cross, false});
-    for (const FittedParameter& p : once.parameters) CHECK(p.value == doctest::Approx(value(four, p.name)).epsilon(1e-6));
+    for (const FittedParameter& p : once.parameters)
+        CHECK(p.value == doctest::Approx(value(four, p.name)).epsilon(1e-6));
 }
 
 TEST_CASE("fit: too few rates and values that are no measurement are refused") {
@@ -201,7 +207,8 @@ TEST_CASE("fit: whatever the points every number is finite or says that it is un
     for (int k = 0; k < 60; ++k) {
         std::vector<FlowPoint> points;
         const int count = 3 + static_cast<int>(random() % 12);
-        for (int i = 0; i < count; ++i) points.push_back({std::pow(10.0, exponent(random)), std::pow(10.0, exponent(random))});
+        for (int i = 0; i < count; ++i)
+            points.push_back({std::pow(10.0, exponent(random)), std::pow(10.0, exponent(random))});
         const FlowCurveFit fit = fit_flow_curve(points);
         CHECK_FALSE(fit.laws.empty());
         for (const LawFit& law : fit.laws) {
@@ -210,7 +217,8 @@ TEST_CASE("fit: whatever the points every number is finite or says that it is un
             for (const FittedParameter& p : law.parameters) {
                 CHECK(std::isfinite(p.value));
                 CHECK_FALSE(std::isnan(p.standard_error));
-                if (p.determined) CHECK((std::isfinite(p.low) && std::isfinite(p.high) && std::isfinite(p.standard_error)));
+                if (p.determined)
+                    CHECK((std::isfinite(p.low) && std::isfinite(p.high) && std::isfinite(p.standard_error)));
             }
         }
     }
