@@ -23,6 +23,7 @@ Examples:
   bioprint-predict --needle 25G --tip steel --flowrate 20uL/min --ink alginate-2-25C --json
   bioprint-predict --batch runs.csv --output answers.csv
   bioprint-predict --alpha 0.75 --simulate=exit --fidelity draft
+  bioprint-predict fit rheometer.csv          (its own options: bioprint-predict fit --help)
 Exit status: 0 answered, 1 a bug, 2 the call is wrong, 3 no steady flow, 4 a file could not be
   read or written, 5 a simulation did not come to its end, 6 some rows of a batch failed, 130 interrupted.
 The full reference: man bioprint-predict)";
@@ -268,6 +269,11 @@ std::optional<Arguments> parse_words(int argc, const char* const* argv) {
         problems.add(e.what());
     }
     for (const std::string& extra : app.remaining()) {
+        if (extra == "fit") {
+            problems.add("'fit': comes first: bioprint-predict fit FILE; see bioprint-predict fit --help",
+                         extra);
+            continue;
+        }
         problems.add("'" + extra +
                          "': " + (extra.starts_with('-') ? "no such option" : "an argument too many") +
                          "; see bioprint-predict --help",

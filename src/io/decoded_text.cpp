@@ -92,8 +92,8 @@ std::optional<bool> unmarked_utf16(std::string_view bytes) {
     if (head.size() < 4) return {};
     std::array<std::size_t, 2> zeros = {0, 0};
     for (std::size_t i = 0; i < head.size(); ++i) zeros.at(i % 2) += head[i] == '\0' ? 1 : 0;
-    if (zeros[1] > head.size() / 4 && zeros[0] < head.size() / 20) return false;
-    if (zeros[0] > head.size() / 4 && zeros[1] < head.size() / 20) return true;
+    if (zeros[1] > head.size() / 4 && zeros[0] <= head.size() / 20) return false;
+    if (zeros[0] > head.size() / 4 && zeros[1] <= head.size() / 20) return true;
     return {};
 }
 
