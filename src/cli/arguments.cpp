@@ -6,6 +6,7 @@
 
 #include "bioprint/errors.hpp"
 #include "bioprint/io/answer.hpp"
+#include "cli/extra_arguments.hpp"
 #include "cli/long_run.hpp"
 
 namespace bioprint {
@@ -242,6 +243,14 @@ void collect_simulation(const Raw& raw, Arguments& arguments, Problems& problems
 
 namespace {
 
+std::vector<std::string> long_names(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app.get_options()) {
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    }
+    return names;
+}
+
 std::optional<Arguments> parse_words(int argc, const char* const* argv) {
     CLI::App app(description, std::string(program_name));
     app.set_help_flag("-h,--help", "this text");
@@ -268,17 +277,7 @@ std::optional<Arguments> parse_words(int argc, const char* const* argv) {
     } catch (const CLI::ParseError& e) {
         problems.add(e.what());
     }
-    for (const std::string& extra : app.remaining()) {
-        if (extra == "fit") {
-            problems.add("'fit': comes first: bioprint-predict fit FILE; see bioprint-predict fit --help",
-                         extra);
-            continue;
-        }
-        problems.add("'" + extra +
-                         "': " + (extra.starts_with('-') ? "no such option" : "an argument too many") +
-                         "; see bioprint-predict --help",
-                     extra);
-    }
+    add_extra_arguments(app.remaining(), long_names(app), "bioprint-predict --help", problems);
     arguments.typed = typed_question(app);
     // Beside --resume the question is what the run was asked.
     if (!raw.long_run.resume) collect_question(app, raw, arguments, problems);

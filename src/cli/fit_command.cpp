@@ -11,6 +11,7 @@
 #include "bioprint/errors.hpp"
 #include "bioprint/io/answer.hpp"
 #include "bioprint/io/quantity.hpp"
+#include "cli/extra_arguments.hpp"
 #include "io/fit_answer.hpp"
 #include "io/fit_table.hpp"
 #include "io/settings.hpp"
@@ -195,12 +196,11 @@ int run_fit_command(int argc, const char* const* argv) {
     } catch (const CLI::ParseError& e) {
         problems.add(e.what());
     }
-    for (const std::string& extra : app.remaining()) {
-        problems.add("'" + extra +
-                         "': " + (extra.starts_with('-') ? "no such option" : "an argument too many") +
-                         "; see bioprint-predict fit --help",
-                     extra);
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app.get_options()) {
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
     }
+    add_extra_arguments(app.remaining(), names, "bioprint-predict fit --help", problems);
     const FitCall call = check(raw, problems);
     problems.raise();
 
