@@ -213,7 +213,9 @@ class Reader {
             columns_.viscosity = FlowColumn{.index = 1, .factor = 1.0, .label = "second column, in Pa s"};
             columns_.stress.reset();
         }
-        interval_ = RheometerInterval{.name = heading.name, .line = line};
+        interval_ = {};
+        interval_.name = heading.name;
+        interval_.line = line;
         if (columns_.rate) interval_.rate = columns_.rate->label;
         if (columns_.viscosity) interval_.viscosity = columns_.viscosity->label;
         if (!columns_.viscosity && columns_.stress && columns_.rate) {
