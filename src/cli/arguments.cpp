@@ -6,7 +6,7 @@
 
 #include "bioprint/errors.hpp"
 #include "bioprint/io/answer.hpp"
-#include "cli/extra_arguments.hpp"
+#include "cli/call_problems.hpp"
 #include "cli/long_run.hpp"
 
 namespace bioprint {
@@ -284,6 +284,9 @@ std::optional<Arguments> parse_words(int argc, const char* const* argv) {
     collect_answer(raw, arguments, problems);
     if (!raw.long_run.resume) collect_simulation(raw, arguments, problems);
     collect_long_run(raw.long_run, arguments, problems);
+    if (!problems.empty() && !arguments.batch && arguments.sweep.swept().empty()) {
+        add_range_problems(arguments.sweep.fixed(), problems);
+    }
     problems.raise();
     return arguments;
 }

@@ -11,7 +11,7 @@
 #include "bioprint/errors.hpp"
 #include "bioprint/io/answer.hpp"
 #include "bioprint/io/quantity.hpp"
-#include "cli/extra_arguments.hpp"
+#include "cli/call_problems.hpp"
 #include "io/fit_answer.hpp"
 #include "io/fit_table.hpp"
 #include "io/settings.hpp"
