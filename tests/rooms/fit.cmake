@@ -12,8 +12,5 @@ bioprint_tests(rheometer
   SOURCES unit/io/rheometer_reader.cpp verify/fit_exports.cpp support/rheometer_export.cpp
   LINKS io)
 
-bioprint_tests(fit_command
-  SOURCES cli/command.cpp cli/fit.cpp support/rheometer_export.cpp support/schema.cpp
-  PRIVATE nlohmann_json::nlohmann_json)
-add_dependencies(test_fit_command bioprint-predict)
-target_compile_definitions(test_fit_command PRIVATE BIOPRINT_PROGRAM="$<TARGET_FILE:bioprint-predict>")
+# The command itself; command.cpp and schema.cpp are in test_cli already.
+target_sources(test_cli PRIVATE cli/fit.cpp support/rheometer_export.cpp)
