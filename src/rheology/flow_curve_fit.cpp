@@ -198,7 +198,7 @@ FittedParameter parameter(const ParameterShape& shape, double log_value, double 
     const double high = known ? std::exp(log_value + t * error) : infinity;
     FittedParameter p{.name = shape.name,
                       .value = value,
-                      .standard_error = known ? value * error : infinity,
+                      .standard_error = value * error,
                       .low = low,
                       .high = high,
                       .determined = known && 2.0 * t * error <= std::log(7.0)};
@@ -367,9 +367,16 @@ CrossConsistency cross_consistency(const LawFit& cross) {
         }
     }
     const double value = std::exp(log_of("eta0") - alpha * log_k);
-    const double error = value * std::sqrt(std::max(0.0, variance));
-    return {.value = value,
-            .standard_error = std::isfinite(error) ? error : std::numeric_limits<double>::infinity()};
+    // What is left of variances that cancel is rounding where they are this large.
+    constexpr double largest_relative_error = 1e5;
+    bool known = std::isfinite(variance);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const FittedParameter& parameter = cross.parameters[i];
+        known = known && parameter.standard_error < largest_relative_error * parameter.value;
+    }
+    const double error =
+        known ? value * std::sqrt(std::max(0.0, variance)) : std::numeric_limits<double>::infinity();
+    return {.value = value, .standard_error = error};
 }
 
 }  // namespace bioprint

@@ -93,7 +93,7 @@ TEST_CASE("fit command: what the data leave open is said") {
     std::vector<ExportPoint> steep = curve(100.0, 10000.0, 20);
     for (std::size_t i = 0; i < steep.size(); ++i) {
         steep[i].viscosity =
-            1e3 / (1.0 + std::pow(10.0 * steep[i].rate, 0.7)) * std::exp(scatter(static_cast<int>(i)));
+            5e3 / (1.0 + std::pow(100.0 * steep[i].rate, 0.7)) * std::exp(scatter(static_cast<int>(i)));
     }
     write_scratch("steep.txt", rheometer_export(ExportKind::plain_named, steep));
     const json open = json::parse(run("fit steep.txt --json -q").out);
