@@ -113,8 +113,8 @@ Dimension dimension_of(std::string_view parameter) {
 /// As many digits as the error allows: two of its own.
 int digits_for(const FittedParameter& p) {
     if (!(p.standard_error > 0.0) || !std::isfinite(p.standard_error) || p.value == 0.0) return 4;
-    const double ratio = std::log10(std::abs(p.value) / p.standard_error);
-    return std::clamp(static_cast<int>(std::ceil(ratio)) + 2, 2, 7);
+    const auto decade = [](double value) { return static_cast<int>(std::floor(std::log10(value))); };
+    return std::clamp(decade(std::abs(p.value)) - decade(p.standard_error) + 2, 2, 7);
 }
 
 std::string parameters_section(const LawFit& fit, TableStyle style) {
@@ -171,7 +171,7 @@ std::string fit_table(const FitAnswer& answer, TableStyle style) {
     const std::string options = fit_options_line(answer);
     text += "\n" + table_heading("To predict with it", style);
     if (!options.empty()) text += "  bioprint-predict " + options + "\n";
-    text += "  or write a preset (--preset ink.json) and use it: bioprint-predict --ink ink.json\n";
+    text += "  or as a preset: --preset ink.json, then bioprint-predict --ink ./ink.json\n";
     if (answer.warnings.empty() || style.quiet) return text;
     text += "\n" + table_heading("Notes", style);
     for (const Warning& warning : answer.warnings)
