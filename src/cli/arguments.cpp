@@ -87,7 +87,7 @@ void add_answer_options(CLI::App& app, Raw& raw, Arguments& arguments) {
     app.add_option("-o,--output", raw.output, "write there, whole or not at all")
         ->type_name("FILE")
         ->group(group);
-    app.add_option("--history", raw.history, "write the centred cell's way through the exit there, as CSV")
+    app.add_option("--history", raw.history, "write the cells' way through nozzle and exit there, as CSV")
         ->type_name("FILE")
         ->group(group);
     app.add_option("--list", raw.list, "show the presets: inks, cells or nozzles")

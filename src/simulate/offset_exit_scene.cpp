@@ -15,8 +15,8 @@ namespace {
 // Nozzle before the cell's start and strand behind its end, in radii: the flow there is developed.
 constexpr double margin_before = 1.5;
 constexpr double margin_behind = 1.5;
-constexpr double strand_length = 3.0;  ///< the period of the strand the cell relaxes in [radii]
-constexpr double relaxed = 0.04;       ///< of the peak
+constexpr double strand_length = 10.0;  ///< the period of the strand the cell relaxes in [cell radii]
+constexpr double relaxed = 0.04;        ///< of the peak
 // A cell is never slower than a third of the average, and relaxes long before it has gone this far.
 constexpr double slowest = 1.0 / 3.0;
 constexpr double longest_strand = 100.0;  ///< [radii]
@@ -168,7 +168,7 @@ class Passage {
     D3q19Setup lattice_setup() const {
         const bool exit = stage_ == Stage::exit;
         const double wanted =
-            exit ? lip_ + (setup_.travel + margin_behind) * radius_ : strand_length * radius_;
+            exit ? lip_ + (setup_.travel + margin_behind) * radius_ : strand_length * setup_.nodes;
         const int nx = static_cast<int>(std::ceil(wanted / 16.0)) * 16;
         D3q19Setup setup{.nx = nx,
                          .section = tube(radius_, true),
