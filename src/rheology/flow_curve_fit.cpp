@@ -43,16 +43,19 @@ void check(std::span<const FlowPoint> points) {
 class Residuals {
   public:
     Residuals(std::span<const FlowPoint> points, const std::vector<bool>& used) {
+        low_ = std::numeric_limits<double>::infinity();
+        high_ = -low_;
         for (std::size_t i = 0; i < points.size(); ++i) {
+            const double log_rate = std::log(points[i].rate);
+            // Outliers count for the range a law is allowed in: what a fit of all points found stays allowed.
+            low_ = std::min(low_, log_rate);
+            high_ = std::max(high_, log_rate);
             if (!used[i]) continue;
             points_.push_back(points[i]);
-            log_rate_.push_back(std::log(points[i].rate));
+            log_rate_.push_back(log_rate);
             log_viscosity_.push_back(std::log(points[i].viscosity));
             weights_.push_back(points[i].weight);
         }
-        const auto [low, high] = std::minmax_element(log_rate_.begin(), log_rate_.end());
-        low_ = *low;
-        high_ = *high;
     }
     [[nodiscard]] std::size_t size() const { return points_.size(); }
     [[nodiscard]] std::span<const FlowPoint> points() const { return points_; }

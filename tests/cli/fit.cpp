@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <tuple>
 
 #include "cli/command.hpp"
 #include "support/rheometer_export.hpp"

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <string>
+#include <tuple>
 
 #include "bioprint/errors.hpp"
 #include "io/decoded_text.hpp"

@@ -181,7 +181,7 @@ TEST_CASE("fit: the order of the points and the unit of viscosity change nothing
 }
 
 TEST_CASE("fit: a point of weight four is worth four of weight one") {
-    auto points = curve(cross(10.0, 0.05, 0.75), 0.01, 1000.0, 12, 0.02);
+    auto points = curve(cross(10.0, 0.05, 0.75), 0.01, 1000.0, 12, 0.001);  // too little to be an outlier
     std::vector<FlowPoint> repeated;
     for (const FlowPoint& p : points) repeated.insert(repeated.end(), 4, p);
     for (FlowPoint& p : points) p.weight = 4.0;
