@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 14> viscosity_words = {
     "黏度",    "점도",    "lepko",     "eta",       "\u03b7",   "visc",     "visco"};
 constexpr std::array<std::string_view, 16> stress_words = {
     "stress",   "schubspann", "scherspann", "contrainte", "esfuerzo", "tensión", "sforzo", "tensão",
-    "spanning", "напряжение", "Напряжение", "应力",       "応力",     "응력",    "\u03c4", "tau"};
+    "spanning", "напряжение", "Напряжение", "应力",       "応力",     "응력",    "\u03c4", "tension de c"};
 constexpr std::array<std::string_view, 13> not_rate = {
     "freq",        "speed",     "drehzahl", "rotation", "rpm",  "angular", "velocidad angular",
     "vitesse ang", "kreisfreq", "频率",     "回転",     "周波", "elong"};

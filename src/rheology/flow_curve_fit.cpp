@@ -201,7 +201,7 @@ FittedParameter parameter(const ParameterShape& shape, double log_value, double 
     const double high = known ? std::exp(log_value + t * error) : infinity;
     FittedParameter p{.name = shape.name,
                       .value = value,
-                      .standard_error = value * error,
+                      .standard_error = std::isfinite(error) ? value * error : infinity,
                       .low = low,
                       .high = high,
                       .determined = known && 2.0 * t * error <= std::log(7.0)};
