@@ -84,7 +84,7 @@ _bioprint_predict() {
                 --cell --cell-radius --shear-modulus --poisson-ratio --viscosity-ratio --offset
                 --model --population --threshold --profile --batch -f --format --json --get --history -o --output
                 -j --jobs -q --quiet -v --verbose --no-color --list --simulate --fidelity --resolution
-                --fluid-stress --channel-time --out --resume --checkpoint-interval --version -h --help'
+                --fluid-stress --channel-time --tolerance --budget --explain --dry-run --out --resume --checkpoint-interval --version -h --help'
             ;;
     esac
     local proposals

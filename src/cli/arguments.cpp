@@ -7,6 +7,7 @@
 #include "bioprint/errors.hpp"
 #include "bioprint/io/answer.hpp"
 #include "cli/call_problems.hpp"
+#include "cli/ladder_options.hpp"
 #include "cli/long_run.hpp"
 
 namespace bioprint {
@@ -46,6 +47,7 @@ struct Raw {
     std::optional<std::string> channel_time;
     bool json = false;
     RawLongRun long_run;
+    RawLadder ladder;
 };
 
 std::string option_names(const KeyInfo& info) {
@@ -291,6 +293,7 @@ std::optional<Arguments> parse_words(int argc, const char* const* argv) {
     add_answer_options(app, raw, arguments);
     add_simulation_options(app, raw);
     add_long_run_options(app, raw.long_run);
+    add_ladder_options(app, raw.ladder);
     Problems problems;
     try {
         app.parse(argc, argv);
@@ -310,6 +313,7 @@ std::optional<Arguments> parse_words(int argc, const char* const* argv) {
     collect_answer(raw, arguments, problems);
     if (!raw.long_run.resume) collect_simulation(raw, arguments, problems);
     collect_long_run(raw.long_run, arguments, problems);
+    collect_ladder(raw.ladder, arguments, problems);
     if (!problems.empty() && !arguments.batch && arguments.sweep.swept().empty()) {
         add_range_problems(arguments.sweep.fixed(), problems);
     }

@@ -17,7 +17,9 @@
 #include "bioprint/io/answer.hpp"
 #include "cli/arguments.hpp"
 #include "cli/fit_command.hpp"
+#include "cli/ladder_options.hpp"
 #include "io/batch.hpp"
+#include "io/dry_run.hpp"
 #include "io/history.hpp"
 #include "io/preset_list.hpp"
 #include "io/reference_report.hpp"
@@ -148,7 +150,7 @@ void say_how_to_resume(const Arguments& arguments) {
         "' goes on from there");
 }
 
-int run(const Arguments& arguments) {
+int run(Arguments arguments) {
     WholeFile output(arguments.output.value_or("-"));
     const Sink sink = [&](std::string_view text) { output.write(text); };
     const Sink notice = [&](std::string_view text) {
@@ -159,7 +161,17 @@ int run(const Arguments& arguments) {
         output.commit();
         return 0;
     }
-    const RunOptions options = run_options(arguments);
+    RunOptions options = run_options(arguments);
+    if (arguments.ladder) options.ladder = take_rung(arguments);
+    if (arguments.dry_run) {
+        sink(dry_run({.sweep = arguments.sweep,
+                      .batch = arguments.batch,
+                      .simulation = arguments.simulation,
+                      .ladder = options.ladder,
+                      .jobs = options.jobs}));
+        output.commit();
+        return 0;
+    }
     if (arguments.history) {
         WholeFile history(*arguments.history);
         history.write(history_csv(arguments.sweep.fixed()));

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/ladder_answer.hpp"
 #include "io/settings.hpp"
 #include "io/sweep.hpp"
 #include "io/table.hpp"
@@ -24,6 +25,7 @@ struct RunOptions {
     Format format = Format::table;
     std::vector<std::string> paths;  ///< of `--get`: print these values alone
     TableStyle style;
+    std::optional<LadderAnswer> ladder = {};  ///< which model answers, and why
     unsigned jobs = 1;
     const std::atomic<bool>* interrupted = nullptr;  ///< set by Ctrl-C; what was finished is kept
 };

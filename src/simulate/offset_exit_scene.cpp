@@ -85,6 +85,7 @@ class Passage {
         const int stride = std::max(20, static_cast<int>(radius_));
         constexpr int most_rounds = 200;
         double before = 0.0;
+        double near = 0.0;
         int still = 0;
         for (int round = 0; round < most_rounds && still < 3; ++round) {
             for (int i = 0; i < stride; ++i) {
@@ -99,8 +100,9 @@ class Passage {
             const double change = std::abs(peak - before) / peak;
             still = change < rest_tolerance ? still + 1 : 0;
             before = peak;
-            const double near = std::clamp(std::log(change) / std::log(rest_tolerance), 0.0, 1.0);
-            if (!setup_.watch.goes_on("flow", still == 3 ? 1.0 : 0.9 * near)) {
+            const double reached = std::clamp(std::log(change) / std::log(rest_tolerance), 0.0, 1.0);
+            near = std::max(near, 0.9 * reached);
+            if (!setup_.watch.goes_on("flow", still == 3 ? 1.0 : near)) {
                 result.stopped = cancelled_run;
                 return;
             }

@@ -188,6 +188,7 @@ SimulationResult simulate(const Scene& scene, const SimulationOptions& options) 
     }
     const NozzleFlow flow = NozzleFlow::from_velocity(scene.ink, scene.nozzle_radius, scene.velocity_average);
     const bool with_cell = scene.kind != SceneKind::exit_flow;
+    if (with_cell) check_softness(scene, flow, options);
     const int wanted = layers_for(options.resolution, options.mesh_spacing);
     const int nodes = nodes_for(scene, wanted, options.mesh_spacing);
     // A narrow nozzle's smallest lattice resolves the cell better than was asked for; the mesh follows.
