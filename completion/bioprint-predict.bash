@@ -7,6 +7,26 @@ _bioprint_predict_presets() { # PROGRAM inks|cells|nozzles
     "$1" --list "$2" 2>/dev/null | awk 'NR > 1 && NF && !seen[$1]++ { print $1 }'
 }
 
+_bioprint_predict_fit() { # the words after `fit`
+    local words
+    case $previous in
+        -f | --format) words='table json csv' ;;
+        --law) words='cross newtonian power-law carreau-yasuda herschel-bulkley best' ;;
+        --eta-inf) words='fit' ;;
+        --interval | --name | --get) return ;;
+        *)
+            if [[ $current != -* || $previous == -o || $previous == --output || $previous == --preset ]]; then
+                compopt -o filenames 2>/dev/null
+                mapfile -t COMPREPLY < <(compgen -f -- "$current")
+                return
+            fi
+            words='--law --interval --eta-inf --name --preset -f --format --json --get -o --output -q --quiet --no-color
+                -h --help'
+            ;;
+    esac
+    mapfile -t COMPREPLY < <(compgen -W "$words" -- "$current")
+}
+
 _bioprint_predict() {
     local program=${COMP_WORDS[0]} current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
     COMPREPLY=()
@@ -16,6 +36,15 @@ _bioprint_predict() {
         current=
     elif [[ $previous == '=' ]]; then
         previous=${COMP_WORDS[COMP_CWORD - 2]}
+    fi
+
+    if [[ ${COMP_WORDS[1]} == fit && COMP_CWORD -gt 1 ]]; then
+        _bioprint_predict_fit
+        return
+    fi
+    if [[ COMP_CWORD -eq 1 && -n $current && fit == "$current"* ]]; then
+        COMPREPLY=(fit)
+        return
     fi
 
     local words

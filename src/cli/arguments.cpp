@@ -6,6 +6,7 @@
 
 #include "bioprint/errors.hpp"
 #include "bioprint/io/answer.hpp"
+#include "cli/call_problems.hpp"
 #include "cli/ladder_options.hpp"
 #include "cli/long_run.hpp"
 
@@ -24,6 +25,7 @@ Examples:
   bioprint-predict --needle 25G --tip steel --flowrate 20uL/min --ink alginate-2-25C --json
   bioprint-predict --batch runs.csv --output answers.csv
   bioprint-predict --alpha 0.75 --simulate=exit --fidelity draft
+  bioprint-predict fit rheometer.csv          (its own options: bioprint-predict fit --help)
 Exit status: 0 answered, 1 a bug, 2 the call is wrong, 3 no steady flow, 4 a file could not be
   read or written, 5 a simulation did not come to its end, 6 some rows of a batch failed, 130 interrupted.
 The full reference: man bioprint-predict)";
@@ -269,6 +271,14 @@ void collect_simulation(const Raw& raw, Arguments& arguments, Problems& problems
 
 namespace {
 
+std::vector<std::string> long_names(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app.get_options()) {
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    }
+    return names;
+}
+
 std::optional<Arguments> parse_words(int argc, const char* const* argv) {
     CLI::App app(description, std::string(program_name));
     app.set_help_flag("-h,--help", "this text");
@@ -296,12 +306,7 @@ std::optional<Arguments> parse_words(int argc, const char* const* argv) {
     } catch (const CLI::ParseError& e) {
         problems.add(e.what());
     }
-    for (const std::string& extra : app.remaining()) {
-        problems.add("'" + extra +
-                         "': " + (extra.starts_with('-') ? "no such option" : "an argument too many") +
-                         "; see bioprint-predict --help",
-                     extra);
-    }
+    add_extra_arguments(app.remaining(), long_names(app), "bioprint-predict --help", problems);
     arguments.typed = typed_question(app);
     // Beside --resume the question is what the run was asked.
     if (!raw.long_run.resume) collect_question(app, raw, arguments, problems);
@@ -309,6 +314,9 @@ std::optional<Arguments> parse_words(int argc, const char* const* argv) {
     if (!raw.long_run.resume) collect_simulation(raw, arguments, problems);
     collect_long_run(raw.long_run, arguments, problems);
     collect_ladder(raw.ladder, arguments, problems);
+    if (!problems.empty() && !arguments.batch && arguments.sweep.swept().empty()) {
+        add_range_problems(arguments.sweep.fixed(), problems);
+    }
     problems.raise();
     return arguments;
 }

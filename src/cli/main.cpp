@@ -16,6 +16,7 @@
 #include "bioprint/errors.hpp"
 #include "bioprint/io/answer.hpp"
 #include "cli/arguments.hpp"
+#include "cli/fit_command.hpp"
 #include "cli/ladder_options.hpp"
 #include "io/batch.hpp"
 #include "io/dry_run.hpp"
@@ -253,6 +254,7 @@ int main(int argc, char** argv) {
     std::signal(SIGINT, on_interrupt);
     std::signal(SIGTERM, on_interrupt);
     try {
+        if (argc > 1 && std::string_view(argv[1]) == "fit") return run_fit_command(argc - 1, argv + 1);
         const std::optional<Arguments> arguments = parse_arguments(argc, argv);
         return arguments ? run(*arguments) : 0;
     } catch (const Error& e) {

@@ -310,6 +310,10 @@ std::string table_grid(const std::vector<std::vector<std::string>>& rows, std::s
     return grid(rows, left);
 }
 
+std::string table_wrapped(std::string_view text, std::size_t indent) {
+    return wrapped(text, indent);
+}
+
 std::string answer_table(const Prediction& prediction, TableStyle style) {
     std::string out = input_section(prediction, style) + nozzle_section(prediction.nozzle, style) +
                       exit_section(prediction.exit, style) + cells_section(prediction, style) +

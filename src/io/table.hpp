@@ -19,6 +19,8 @@ struct TableStyle {
 /// A section's heading, and right-aligned columns whose first `left` are left-aligned.
 std::string table_heading(std::string_view text, TableStyle style);
 std::string table_grid(const std::vector<std::vector<std::string>>& rows, std::size_t left);
+/// `text` broken at spaces into lines of at most 80 columns, all but the first indented.
+std::string table_wrapped(std::string_view text, std::size_t indent);
 
 std::string answer_table(const Prediction& prediction, TableStyle style);
 

@@ -40,15 +40,26 @@ expect '' 50um
 expect '--version' --ink alginate-2.5 --vers
 expect '' --cell name
 
-# Every long option the help names is proposed, and every one proposed is in the help.
-COMP_WORDS=("$program" --)
-COMP_CWORD=1
-_bioprint_predict
-proposed=$(printf '%s\n' "${COMPREPLY[@]}" | sort)
-offered=$("$program" --help | grep -oE '(^|[ ,])--[a-z][a-z0-9-]*' | grep -oE -- '--.*' | sort -u)
-if [[ $proposed != "$offered" ]]; then
-    printf 'proposed (<) and in --help (>) differ:\n' >&2
-    diff <(printf '%s\n' "$proposed") <(printf '%s\n' "$offered") >&2
-    exit 1
-fi
+expect 'fit' fi
+expect 'rows.csv' fit ro
+expect 'rows.csv' fit --preset ro
+expect '--law' fit rows.csv --l
+expect 'cross carreau-yasuda' fit rows.csv --law c
+expect 'table json csv' fit rows.csv --format =
+
+# Every long option the help names is proposed, and every one proposed is in the help: of the prediction, and of `fit`.
+for command in '' fit; do
+    # shellcheck disable=SC2086
+    COMP_WORDS=("$program" $command --)
+    COMP_CWORD=$((${#COMP_WORDS[@]} - 1))
+    _bioprint_predict
+    proposed=$(printf '%s\n' "${COMPREPLY[@]}" | sort)
+    # shellcheck disable=SC2086
+    offered=$("$program" $command --help | sed '/^Examples:/,$d' | grep -oE '(^|[ ,])--[a-z][a-z0-9-]*' | grep -oE -- '--.*' | sort -u)
+    if [[ $proposed != "$offered" ]]; then
+        printf 'proposed (<) and in --help (>) differ:\n' >&2
+        diff <(printf '%s\n' "$proposed") <(printf '%s\n' "$offered") >&2
+        exit 1
+    fi
+done
 printf 'completion: proposals are right\n'

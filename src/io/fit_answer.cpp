@@ -1,0 +1,213 @@
+#include "io/fit_answer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "bioprint/errors.hpp"
+#include "bioprint/io/answer.hpp"
+#include "bioprint/io/number_format.hpp"
+#include "io/csv.hpp"
+
+namespace bioprint {
+namespace {
+
+/// From here on points are condensed: more add seconds and no knowledge.
+constexpr std::size_t most_points = 5000;
+constexpr std::size_t condensed_points = 1000;
+
+double median_of(std::vector<double>& values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+/// Neighbours in rate of one interval as one point, their medians, with the weight of all.
+std::vector<FitPoint> condense(std::vector<MeasuredPoint> points) {
+    std::stable_sort(points.begin(), points.end(), [](const MeasuredPoint& a, const MeasuredPoint& b) {
+        return a.interval != b.interval ? a.interval < b.interval : a.rate < b.rate;
+    });
+    const double size = static_cast<double>(points.size()) / static_cast<double>(condensed_points);
+    std::vector<FitPoint> result;
+    std::vector<double> rates;
+    std::vector<double> viscosities;
+    double next = size;
+    std::size_t line = points.front().line;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        rates.push_back(points[i].rate);
+        viscosities.push_back(points[i].viscosity);
+        line = std::min(line, points[i].line);
+        const bool last = i + 1 == points.size() || points[i + 1].interval != points[i].interval;
+        if (static_cast<double>(i + 1) < next && !last) continue;
+        result.push_back({.rate = median_of(rates),
+                          .measured = median_of(viscosities),
+                          .fitted = 0.0,
+                          .weight = static_cast<double>(rates.size()),
+                          .used = true,
+                          .line = line,
+                          .interval = points[i].interval});
+        next = static_cast<double>(i + 1) + size;
+        if (!last) line = points[i + 1].line;
+        rates.clear();
+        viscosities.clear();
+    }
+    return result;
+}
+
+std::vector<FitPoint> points_of(const RheometerData& data) {
+    if (data.points.size() > most_points) return condense(data.points);
+    std::vector<FitPoint> points;
+    for (const MeasuredPoint& p : data.points) {
+        points.push_back({.rate = p.rate,
+                          .measured = p.viscosity,
+                          .fitted = 0.0,
+                          .weight = 1.0,
+                          .used = true,
+                          .line = p.line,
+                          .interval = p.interval});
+    }
+    return points;
+}
+
+/// The file's name without folders and ending.
+std::string stem(const std::string& path) {
+    if (path == "-") return "fitted ink";
+    const std::size_t slash = path.rfind('/');
+    std::string name = slash == std::string::npos ? path : path.substr(slash + 1);
+    const std::size_t dot = name.rfind('.');
+    if (dot != std::string::npos && dot > 0) name.resize(dot);
+    return name.empty() ? "fitted ink" : name;
+}
+
+const LawFit& choose(const FitAnswer& answer) {
+    const FitQuestion& question = answer.question;
+    if (answer.fit.laws.empty()) throw UsageError(answer.data.file + ": too few points for any law");
+    if (!question.law) return answer.fit.laws.front();
+    const bool has_eta_inf = question.law == FittedLaw::cross || question.law == FittedLaw::carreau_yasuda;
+    const LawFit* const found = answer.fit.find({*question.law, question.fit_eta_inf && has_eta_inf});
+    if (found != nullptr) return *found;
+    throw UsageError(answer.data.file + ": " + std::to_string(answer.fit.points_used) +
+                     " points are too few for the " + std::string(law_name(*question.law)) +
+                     " law; measure more shear rates, or fit a law of fewer parameters with --law");
+}
+
+std::string source_of(const FitAnswer& answer) {
+    const auto outliers = static_cast<std::size_t>(
+        std::count_if(answer.points.begin(), answer.points.end(), [](const FitPoint& p) { return !p.used; }));
+    std::string text = std::string(law_name(answer.chosen.choice.law)) + " law fitted to " + answer.data.file;
+    std::string numbers;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < answer.data.intervals.size(); ++i) {
+        if (!answer.data.intervals[i].skipped.empty()) continue;
+        numbers += (numbers.empty() ? "" : ", ") + std::to_string(i + 1);
+        ++count;
+    }
+    if (answer.data.intervals.size() > 1) text += (count == 1 ? ", interval " : ", intervals ") + numbers;
+    text += ": " + std::to_string(answer.fit.points_used) + " points";
+    if (outliers > 0)
+        text += ", " + std::to_string(outliers) + (outliers == 1 ? " outlier" : " outliers") + " left out";
+    return text + " (" + std::string(program_name) + " " + std::string(program_version()) + ")";
+}
+
+}  // namespace
+
+double FitPoint::residual() const {
+    return std::log(measured / fitted);
+}
+
+FitAnswer answer_fit(const FitQuestion& question) {
+    return answer_fit(question, read_rheometer_file(question.file, {.intervals = question.intervals}));
+}
+
+FitAnswer answer_fit(const FitQuestion& question, RheometerData data) {
+    FitAnswer answer{};
+    answer.question = question;
+    answer.data = std::move(data);
+    answer.points = points_of(answer.data);
+    if (answer.points.size() < answer.data.points.size()) {
+        answer.data.remarks.push_back(std::to_string(answer.data.points.size()) +
+                                      " points were condensed to " + std::to_string(answer.points.size()) +
+                                      ": neighbours in shear rate count as their median");
+    }
+    std::vector<FlowPoint> points;
+    for (const FitPoint& p : answer.points) {
+        points.push_back({.rate = p.rate, .viscosity = p.measured, .weight = p.weight});
+    }
+    try {
+        answer.fit = fit_flow_curve(points, {.eta_inf = question.eta_inf});
+    } catch (const UsageError& e) {
+        throw UsageError(answer.data.file + ": " + e.what(), answer.data.file);
+    }
+    answer.chosen = choose(answer);
+    answer.rate_low = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < answer.points.size(); ++i) {
+        FitPoint& p = answer.points[i];
+        p.fitted = answer.chosen.fitted[i];
+        p.used = answer.fit.used[i];
+        if (!p.used) continue;
+        answer.rate_low = std::min(answer.rate_low, p.rate);
+        answer.rate_high = std::max(answer.rate_high, p.rate);
+    }
+    double sum = 0.0;
+    std::size_t count = 0;
+    for (const MeasuredPoint& p : answer.data.points) {
+        if (!p.temperature) continue;
+        sum += *p.temperature;
+        ++count;
+    }
+    if (count > 0) answer.temperature = sum / static_cast<double>(count);
+    answer.name = question.name.empty() ? stem(question.file) : question.name;
+    answer.source = source_of(answer);
+    answer.warnings = fit_warnings(answer);
+    return answer;
+}
+
+std::string_view fit_unit(std::string_view parameter) {
+    if (parameter == "eta0" || parameter == "eta_inf") return "Pa.s";
+    if (parameter == "time_constant") return "s";
+    if (parameter == "yield_stress") return "Pa";
+    if (parameter == "consistency") return "Pa.s^n";
+    return "1";
+}
+
+double fit_rounded(double value, int digits) {
+    if (value == 0.0 || !std::isfinite(value)) return value;
+    // The power by which the decimals move; applied so that only representable powers of ten multiply.
+    const int shift = digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(value))));
+    const double scale = std::pow(10.0, std::abs(shift));
+    return shift >= 0 ? std::round(value * scale) / scale : std::round(value / scale) * scale;
+}
+
+std::string fit_options_line(const FitAnswer& answer) {
+    const auto option = [](std::string_view name, double value, std::string_view unit) {
+        return std::string(name) + " " + format_shortest(fit_rounded(value)) + std::string(unit);
+    };
+    const LawFit& fit = answer.chosen;
+    if (fit.choice.law == FittedLaw::newtonian) {
+        return option("--eta0", 2.0 * fit.parameters.front().value, "Pa.s") + " --alpha 0";
+    }
+    if (fit.choice.law != FittedLaw::cross) return {};
+    std::string line = option("--eta0", fit.find("eta0")->value, "Pa.s");
+    if (fit.eta_inf > 0.0) line += " " + option("--eta-inf", fit.eta_inf, "Pa.s");
+    return line + " " + option("-K", fit.find("time_constant")->value, "s") + " " +
+           option("--alpha", fit.find("alpha")->value, "");
+}
+
+std::string fit_csv(const FitAnswer& answer) {
+    CsvWriter writer(CsvDialect{.line_end = "\r\n"});
+    for (const char* const head :
+         {"shear_rate [1/s]", "viscosity [Pa.s]", "fitted [Pa.s]", "residual", "used", "line", "interval"}) {
+        writer.add_text(head);
+    }
+    writer.end_row();
+    for (const FitPoint& p : answer.points) {
+        for (const double value : {p.rate, p.measured, p.fitted, p.residual(), p.used ? 1.0 : 0.0,
+                                   static_cast<double>(p.line), static_cast<double>(p.interval)}) {
+            writer.add_number(value);
+        }
+        writer.end_row();
+    }
+    return writer.text();
+}
+
+}  // namespace bioprint

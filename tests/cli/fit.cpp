@@ -1,0 +1,182 @@
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <tuple>
+
+#include "cli/command.hpp"
+#include "support/rheometer_export.hpp"
+#include "support/schema.hpp"
+
+using namespace bioprint::test;
+using bioprint::testing::schema_violations;
+using nlohmann::json;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+double cross(double rate) {
+    return 10.0 / (1.0 + std::pow(0.05 * rate, 0.75));
+}
+
+/// Deterministic, of a percent, without a period the fit could follow.
+double scatter(int i) {
+    return 0.01 * std::sin(12.9898 * i * i + 1.0);
+}
+
+std::vector<ExportPoint> curve(double low, double high, int count) {
+    std::vector<ExportPoint> points;
+    for (int i = 0; i < count; ++i) {
+        const double rate = low * std::pow(high / low, static_cast<double>(i) / (count - 1));
+        points.push_back({rate, cross(rate) * std::exp(scatter(i))});
+    }
+    return points;
+}
+
+}  // namespace
+
+TEST_CASE("fit command: every kind of export is fitted and its answer follows the schema") {
+    for (const ExportKind kind : export_kinds) {
+        CAPTURE(kind_name(kind));
+        write_scratch("curve.txt", rheometer_export(kind, curve(0.01, 1000.0, 26)));
+        const Outcome outcome = run("fit curve.txt --json");
+        REQUIRE(outcome.status == 0);
+        const json answer = json::parse(outcome.out);
+        CHECK(schema_violations(answer, "fit").empty());
+        CHECK(answer["fit"]["parameters"]["eta0"]["value"].get<double>() ==
+              doctest::Approx(10.0).epsilon(0.03));
+        CHECK(answer["fit"]["parameters"]["alpha"]["value"].get<double>() ==
+              doctest::Approx(0.75).epsilon(0.03));
+        CHECK(answer["data"]["outliers"] == 0);
+    }
+}
+
+TEST_CASE("fit command: the line of options and the preset give the same prediction") {
+    write_scratch("curve.txt", rheometer_export(ExportKind::rheocompass_german, curve(0.01, 1000.0, 26)));
+    REQUIRE(run("fit curve.txt --preset ink.json --name 'my ink'").status == 0);
+    const std::string options = run("fit curve.txt -q --get options").out;
+    const std::string path = " -q --get nozzle.pressure_gradient";
+    const Outcome by_options = run(options.substr(0, options.size() - 1) + path);
+    const Outcome by_preset = run("--ink ./ink.json" + path);
+    CHECK(by_options.status == 0);
+    CHECK(by_options.out == by_preset.out);
+    CHECK(run("--ink ./ink.json -q --get input.ink.name").out == "my ink\n");
+    CHECK(contains(run("--ink ./ink.json -q --get input.ink.source").out,
+                   "fitted to curve.txt, interval 2: 26 points"));
+    const json preset = json::parse(read_scratch("ink.json"));
+    CHECK(preset["parameters"]["eta0"]["sd"] > 0.0);
+    CHECK(preset["temperature"]["value"] == 25.01);
+    json shelf = {{"schema", "bioprint-inks/1"}, {"grades", json::object()}, {"inks", json::array({preset})}};
+    CHECK(schema_violations(shelf, "inks").empty());
+}
+
+TEST_CASE("fit command: the table for a person is within 80 columns and says what was read") {
+    write_scratch("curve.txt", rheometer_export(ExportKind::trios, curve(0.01, 1000.0, 26)));
+    const Outcome outcome = run("fit curve.txt");
+    CHECK(outcome.status == 0);
+    CHECK(contains(outcome.out, "Shear rate [1/s]"));
+    CHECK(contains(outcome.out, "Conditioning Sample - 1"));
+    CHECK(contains(outcome.out, "--eta0 "));
+    CHECK_FALSE(contains(outcome.out, "\033["));
+    std::size_t width = 0;
+    for (const char c : outcome.out) {
+        width = c == '\n' ? 0 : width + ((static_cast<unsigned char>(c) & 0xC0U) != 0x80U ? 1 : 0);
+        CHECK(width <= 80);
+    }
+}
+
+TEST_CASE("fit command: what the data leave open is said") {
+    std::vector<ExportPoint> steep = curve(100.0, 10000.0, 20);
+    for (std::size_t i = 0; i < steep.size(); ++i) {
+        steep[i].viscosity =
+            5e3 / (1.0 + std::pow(100.0 * steep[i].rate, 0.7)) * std::exp(scatter(static_cast<int>(i)));
+    }
+    write_scratch("steep.txt", rheometer_export(ExportKind::plain_named, steep));
+    const json open = json::parse(run("fit steep.txt --json -q").out);
+    CHECK(contains(open["warnings"].dump(), "no_plateau"));
+    CHECK(open["fit"]["parameters"]["eta0"]["determined"] == false);
+    CHECK(open["fit"]["parameters"]["eta0"]["low"].is_null());
+
+    std::vector<ExportPoint> flat = curve(0.01, 100.0, 20);
+    for (std::size_t i = 0; i < flat.size(); ++i)
+        flat[i].viscosity = 2.0 * std::exp(scatter(static_cast<int>(i)));
+    write_scratch("flat.txt", rheometer_export(ExportKind::plain_named, flat));
+    CHECK(contains(run("fit flat.txt").out, "no thinning within the scatter"));
+    // As a Cross ink a constant viscosity is alpha 0, which halves eta0.
+    REQUIRE(run("fit flat.txt --law newtonian --preset flat.json").status == 0);
+    CHECK(std::stod(run("--ink ./flat.json -q --get nozzle.viscosity_wall").out) ==
+          doctest::Approx(2.0).epsilon(0.01));
+
+    std::vector<ExportPoint> yielding = curve(0.01, 1000.0, 26);
+    for (ExportPoint& p : yielding) p.viscosity = 60.0 / p.rate + 20.0 * std::pow(p.rate, -0.5);
+    write_scratch("yield.txt", rheometer_export(ExportKind::plain_named, yielding));
+    CHECK(contains(run("fit yield.txt").out, "herschel-bulkley law describes these points better"));
+    CHECK(run("fit yield.txt -q --law best --get fit.law").out == "herschel-bulkley\n");
+}
+
+TEST_CASE("fit command: outliers and bad rows are counted with their lines") {
+    std::string text = "Shear rate [1/s],Viscosity [Pa.s]\n";
+    int line = 1;
+    for (const ExportPoint& p : curve(0.01, 1000.0, 26)) {
+        ++line;
+        const double factor = line == 9 ? 2.0 : 1.0;
+        text += line == 5 ? std::to_string(p.rate) + ",-0.5\n"
+                          : std::to_string(p.rate) + "," + std::to_string(factor * p.viscosity) + "\n";
+    }
+    write_scratch("bad.csv", text);
+    const Outcome outcome = run("fit bad.csv");
+    CHECK(contains(outcome.out, "1 outlier (line 9)"));
+    CHECK(contains(outcome.out, "1 row, viscosity not above 0 (line 5)"));
+    const Outcome points = run("fit bad.csv --format csv -q");
+    CHECK(contains(points.out,
+                   "shear_rate [1/s],viscosity [Pa.s],fitted [Pa.s],residual,used,line,interval\r\n"));
+    CHECK(contains(points.out, ",0,9,1\r\n"));
+}
+
+TEST_CASE("fit command: wrong calls and files end with one clear line") {
+    write_scratch("curve.txt", rheometer_export(ExportKind::plain, curve(0.01, 1000.0, 26)));
+    write_scratch("empty.txt", "");
+    write_scratch("one.csv", "rate [1/s],viscosity [Pa.s]\n1,2\n");
+    write_scratch("two.csv", "rate [1/s],viscosity [Pa.s]\n1,2\n10,1\n");
+    for (const auto& [call, status, message] :
+         {std::tuple{"fit", 2, "takes a FILE"},
+          {"fit no-such-file.csv", 4, "no-such-file.csv"},
+          {"fit empty.txt", 2, "is empty"},
+          {"fit one.csv", 2, "a single point"},
+          {"fit two.csv", 2, "different ones"},
+          {"fit curve.txt --law casson", 2, "--law: got 'casson'"},
+          {"fit curve.txt --interval 0", 2, "--interval: got '0'"},
+          {"fit curve.txt --interval 2", 2, "has 1"},
+          {"fit curve.txt --eta-inf 5s", 2, "--eta-inf: got '5s', a time"},
+          {"fit curve.txt --eta-inf -1", 2, "--eta-inf"},
+          {"fit curve.txt --format yaml", 2, "--format"},
+          {"fit curve.txt --json --format csv", 2, "--json"},
+          {"fit curve.txt --get fit.nothing", 2, "fit.nothing"},
+          {"fit curve.txt other.txt", 2, "an argument too many"},
+          {"fit curve.txt --bogus", 2, "no such option"},
+          {"fit curve.txt -o no/such/dir/x", 4, "no/such/dir"},
+          {"--alpha 0.5 fit curve.txt", 2, "comes first"}}) {
+        CAPTURE(call);
+        const Outcome outcome = run(call);
+        CHECK(outcome.status == status);
+        CHECK(contains(outcome.err, message));
+        CHECK(outcome.out.empty());
+    }
+    CHECK(contains(run("fit --help").out, "--eta-inf"));
+    // Both problems at once.
+    const Outcome both = run("fit curve.txt --law x --eta-inf y");
+    CHECK(contains(both.err, "--law"));
+    CHECK(contains(both.err, "--eta-inf"));
+}
+
+TEST_CASE("fit command: standard input is a file too") {
+    const Outcome outcome =
+        run("fit - --json", rheometer_export(ExportKind::malvern, curve(0.01, 1000.0, 26)));
+    CHECK(outcome.status == 0);
+    CHECK(json::parse(outcome.out)["data"]["file"] == "standard input");
+}
