@@ -21,6 +21,7 @@ _bioprint_predict() {
     local words
     case $previous in
         -f | --format) words='table json jsonl csv' ;;
+        --solve) words='radius flowrate velocity pressure pressure-gradient alpha' ;;
         --tip) words='steel tapered hypodermic' ;;
         --model) words='ellipsoid steady' ;;
         --simulate) words='auto exit-flow channel exit' ;;
@@ -39,16 +40,22 @@ _bioprint_predict() {
             ;;
         -R | --radius | --diameter | -Q | --flowrate | --velocity | --pressure-gradient | --pressure | --length | \
             --eta0 | --eta-inf | -K | --time-constant | -a | --alpha | --cell-radius | --shear-modulus | \
-            --poisson-ratio | --viscosity-ratio | --offset | --threshold | --profile | --get | --resolution | -j | --jobs)
+            --poisson-ratio | --viscosity-ratio | --offset | --threshold | --profile | --get | --check | \
+            --resolution | -j | --jobs | --limit | --range)
             return # a quantity: nothing to propose
             ;;
         *)
+            if [[ $COMP_CWORD == 1 && $current != -* && -n $current ]]; then
+                mapfile -t COMPREPLY < <(compgen -W 'design' -- "$current")
+                return
+            fi
             [[ $current == -* || -z $current ]] || return
             words='-R --radius --diameter --needle --tip -Q --flowrate --velocity --pressure-gradient --pressure --length
                 --ink --eta0 --eta-inf -K --time-constant -a --alpha
                 --cell --cell-radius --shear-modulus --poisson-ratio --viscosity-ratio --offset
-                --model --population --threshold --profile --batch -f --format --json --get --history -o --output
+                --model --population --threshold --profile --batch -f --format --json --get --check --history -o --output
                 -j --jobs -q --quiet -v --verbose --no-color --list --simulate --fidelity --resolution --version -h --help'
+            [[ ${COMP_WORDS[1]} == design ]] && words+=' --solve --limit --range'
             ;;
     esac
     local proposals

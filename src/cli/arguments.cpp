@@ -23,7 +23,8 @@ Examples:
   bioprint-predict --batch runs.csv --output answers.csv
   bioprint-predict --alpha 0.75 --simulate=exit --fidelity draft
 Exit status: 0 answered, 1 a bug, 2 the call is wrong, 3 no steady flow, 4 a file could not be
-  read or written, 5 a simulation did not come to its end, 6 some rows of a batch failed, 130 interrupted.
+  read or written, 5 a simulation did not come to its end, 6 some rows of a batch failed,
+  7 a --check or a limit does not hold, 130 interrupted.
 The full reference: man bioprint-predict)";
 
 struct Raw {
@@ -34,11 +35,15 @@ struct Raw {
     std::optional<std::string> list;
     std::optional<std::string> jobs;
     std::vector<std::string> paths;
+    std::vector<std::string> checks;
     std::string scene;
     std::string population;
     std::optional<std::string> history;
     std::optional<std::string> fidelity;
     std::optional<std::string> resolution;
+    std::optional<std::string> sought;
+    std::vector<std::string> limits;
+    std::optional<std::string> range;
     bool json = false;
 };
 
@@ -78,6 +83,12 @@ void add_answer_options(CLI::App& app, Raw& raw, Arguments& arguments) {
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->group(group);
+    app.add_option("--check", raw.checks,
+                   "exit status 7 unless this holds, such as 'nozzle.stress_max<2kPa'; may be repeated")
+        ->type_name("EXPR")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->group(group);
     app.add_option("-o,--output", raw.output, "write there, whole or not at all")
         ->type_name("FILE")
         ->group(group);
@@ -107,6 +118,28 @@ void add_simulation_options(CLI::App& app, Raw& raw) {
     app.add_option("--resolution", raw.resolution, "nodes a cell radius, in place of --fidelity")
         ->type_name("N")
         ->group(group);
+}
+
+/// Subcommands take the options of a prediction too, before or behind their own.
+CLI::App* add_design(CLI::App& app, Raw& raw) {
+    CLI::App* design = app.add_subcommand("design", "the printing parameter that keeps limits");
+    design->fallthrough();
+    design->footer(
+        "\nEvery option of a prediction sets the rest of the question: bioprint-predict --help.\n"
+        "Example:\n"
+        "  bioprint-predict design --solve flowrate --limit 'nozzle.stress_max<500Pa' --radius 100um\n"
+        "Exit status 7: no value keeps the limits; the answer is at the closest.");
+    design
+        ->add_option("--solve", raw.sought,
+                     "what is sought: radius, flowrate, velocity, pressure, pressure-gradient or alpha")
+        ->type_name("WORD");
+    design->add_option("--limit", raw.limits, "what to keep, such as 'population.p95<2kPa'; may be repeated")
+        ->type_name("EXPR")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    design->add_option("--range", raw.range, "where to look for it, such as 1uL/h:1mL/h")
+        ->type_name("LOW:HIGH");
+    return design;
 }
 
 void print(const std::string& text) {
@@ -180,6 +213,12 @@ void collect_answer(const Raw& raw, Arguments& arguments, Problems& problems) {
         arguments.format = Format::json;
     }
     arguments.paths = raw.paths;
+    for (const std::string& text : raw.checks) {
+        problems.collect([&] { arguments.checks.push_back(parse_check(text, "--check")); });
+    }
+    if (needs_population(arguments.checks) && !arguments.sweep.fixed().has(Key::population)) {
+        arguments.sweep.add(Key::population, "yes", "--check");
+    }
     if (raw.list) {
         if (*raw.list == "inks" || *raw.list == "cells" || *raw.list == "nozzles") {
             arguments.list = raw.list;
@@ -235,6 +274,50 @@ void collect_simulation(const Raw& raw, Arguments& arguments, Problems& problems
     }
 }
 
+bool drives(Key key) {
+    return key == Key::flow_rate || key == Key::velocity || key == Key::pressure ||
+           key == Key::pressure_gradient;
+}
+
+bool sizes(Key key) {
+    return key == Key::radius || key == Key::diameter || key == Key::needle;
+}
+
+/// What is sought cannot be given.
+void refuse_given(Key sought, const Arguments& arguments, Problems& problems) {
+    for (const auto& [key, text] : arguments.given) {
+        if (key != sought && !(drives(key) && drives(sought)) && !(sizes(key) && sizes(sought))) continue;
+        const std::string name = "--" + std::string(info_of(key).option);
+        const std::string what(info_of(sought).option);
+        problems.add(name + ": cannot be given where " + what + " is sought; leave one of the two out", name);
+    }
+}
+
+void collect_design(const Raw& raw, Arguments& arguments, Problems& problems) {
+    if (!raw.sought) {
+        problems.add("--solve: is missing; it takes radius, flowrate, velocity, pressure or alpha",
+                     "--solve");
+    }
+    if (raw.limits.empty()) {
+        problems.add("--limit: is missing; it takes what to keep, such as 'nozzle.stress_max<2kPa'",
+                     "--limit");
+    }
+    if (arguments.batch || arguments.simulation || arguments.history || !arguments.sweep.swept().empty()) {
+        problems.add("design: one question at a time; leave out --batch, --simulate, --history and lists");
+    }
+    std::vector<Check> limits;
+    for (const std::string& text : raw.limits) {
+        problems.collect([&] { limits.push_back(parse_check(text, "--limit")); });
+    }
+    problems.collect([&] {
+        if (!raw.sought) return;
+        const Key sought = sought_key(*raw.sought);
+        refuse_given(sought, arguments, problems);
+        arguments.design = DesignQuestion{.sought = sought, .limits = limits};
+        if (raw.range) arguments.design->range = parse_range(*raw.range, sought);
+    });
+}
+
 }  // namespace
 
 std::optional<Arguments> parse_arguments(int argc, const char* const* argv) {
@@ -250,6 +333,8 @@ std::optional<Arguments> parse_arguments(int argc, const char* const* argv) {
     add_prediction_options(app, raw);
     add_answer_options(app, raw, arguments);
     add_simulation_options(app, raw);
+    const CLI::App* const design = add_design(app, raw);
+    app.require_subcommand(0, 1);
     Problems problems;
     try {
         app.parse(argc, argv);
@@ -271,6 +356,7 @@ std::optional<Arguments> parse_arguments(int argc, const char* const* argv) {
     collect_question(app, raw, arguments, problems);
     collect_answer(raw, arguments, problems);
     collect_simulation(raw, arguments, problems);
+    if (design->parsed()) collect_design(raw, arguments, problems);
     problems.raise();
     return arguments;
 }

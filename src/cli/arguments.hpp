@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/design.hpp"
 #include "io/run.hpp"
 #include "io/settings.hpp"
 #include "io/simulation_answer.hpp"
@@ -18,11 +19,13 @@ struct Arguments {
     std::optional<std::string> batch;
     std::optional<Format> format;
     std::vector<std::string> paths;
+    std::vector<Check> checks;
     std::optional<std::string> output;
     std::optional<std::string> list;
     std::optional<std::string> history;
     std::optional<unsigned> jobs;
     std::optional<SimulationQuestion> simulation;
+    std::optional<DesignQuestion> design;  ///< of the subcommand
     bool quiet = false;
     bool verbose = false;
     bool no_color = false;

@@ -17,6 +17,7 @@
 #include "bioprint/io/answer.hpp"
 #include "cli/arguments.hpp"
 #include "io/batch.hpp"
+#include "io/design_answer.hpp"
 #include "io/history.hpp"
 #include "io/preset_list.hpp"
 #include "io/reference_report.hpp"
@@ -30,6 +31,7 @@ using namespace bioprint;
 
 constexpr int status_interrupted = 130;
 constexpr int status_some_rows_failed = 6;
+constexpr int status_check_failed = 7;
 
 std::atomic<bool> interrupted{false};
 
@@ -56,6 +58,7 @@ RunOptions run_options(const Arguments& arguments) {
     const bool colorless = arguments.no_color || (no_color != nullptr && *no_color != '\0');
     return {.format = arguments.format.value_or(Format::table),
             .paths = arguments.paths,
+            .extras = {.checks = arguments.checks},
             .style = {.color = terminal && !colorless, .quiet = arguments.quiet},
             .jobs = arguments.jobs.value_or(std::max(1U, std::thread::hardware_concurrency())),
             .interrupted = &interrupted};
@@ -67,7 +70,9 @@ int status_of(const RunResult& result, bool to_file) {
             (to_file ? "; the output file was not written" : ""));
         return status_interrupted;
     }
-    return result.refused > 0 ? status_some_rows_failed : 0;
+    for (const std::string& line : result.failed_checks) say(line);
+    if (result.refused > 0) return status_some_rows_failed;
+    return result.failed_checks.empty() ? 0 : status_check_failed;
 }
 
 /// One line on a terminal that tells how far the simulation is, and how long it will still take.
@@ -106,7 +111,8 @@ class ProgressLine {
     std::chrono::steady_clock::time_point last_;
 };
 
-void run_simulation(const Arguments& arguments, const RunOptions& options, const Sink& sink) {
+std::vector<std::string> run_simulation(const Arguments& arguments, const RunOptions& options,
+                                        const Sink& sink) {
     ProgressLine line(!arguments.quiet && isatty(STDERR_FILENO) != 0);
     std::mutex lock;  // two resolutions may run at once
     const SimulationOptions simulation{.threads = static_cast<int>(std::min(options.jobs, 2U)),
@@ -116,7 +122,7 @@ void run_simulation(const Arguments& arguments, const RunOptions& options, const
                                                line.show(progress);
                                            },
                                        .cancel = &interrupted};
-    answer_with_simulation(arguments.sweep.fixed(), *arguments.simulation, options, simulation, sink);
+    return answer_with_simulation(arguments.sweep.fixed(), *arguments.simulation, options, simulation, sink);
 }
 
 int run(const Arguments& arguments) {
@@ -137,15 +143,16 @@ int run(const Arguments& arguments) {
         history.commit();
     }
     if (arguments.simulation) {
+        RunResult result{.rows = 1};
         try {
-            run_simulation(arguments, options, sink);
+            result.failed_checks = run_simulation(arguments, options, sink);
         } catch (const SimulationIncomplete& e) {
             output.commit();  // the prediction, and what the simulation had
             say(e.what());
             return interrupted ? status_interrupted : exit_status_of_current();
         }
         output.commit();
-        return 0;
+        return status_of(result, false);
     }
     RunResult result;
     if (arguments.batch) {
@@ -155,6 +162,8 @@ int run(const Arguments& arguments) {
             output.flush();
         };
         result = run_batch(input, arguments.format, options, row_sink, notice);
+    } else if (arguments.design) {
+        result = answer_design(*arguments.design, arguments.sweep.fixed(), options, sink, notice);
     } else {
         result = run_sweep(arguments.sweep, options, sink, notice);
         if (arguments.verbose && arguments.sweep.swept().empty())

@@ -260,7 +260,7 @@ Refusal current_refusal() {
     }
 }
 
-const Json& value_at(const Json& answer, std::string_view path) {
+const Json& value_at(const Json& answer, std::string_view path, std::string_view option) {
     const Json* place = &answer;
     std::size_t begin = 0;
     while (begin <= path.size()) {
@@ -269,9 +269,9 @@ const Json& value_at(const Json& answer, std::string_view path) {
         if (next == nullptr) {
             const std::string known =
                 begin == 0 ? "the answer" : "'" + std::string(path.substr(0, begin - 1)) + "'";
-            throw UsageError(
-                "--get: no value at '" + std::string(path) + "'; " + known + " has " + offered_by(*place),
-                "--get");
+            throw UsageError(std::string(option) + ": no value at '" + std::string(path) + "'; " + known +
+                                 " has " + offered_by(*place),
+                             std::string(option));
         }
         place = next;
         begin = end + 1;

@@ -47,6 +47,7 @@ RunResult run_json_lines(ByteSource& source, const Settings& defaults, const Run
     JsonLinesReader reader(source);
     const RowWriter writer(options, 3 * cell_entries(defaults), defaults.has(Key::population));
     RunResult result;
+    CheckTally tally(options.extras.checks);
     sink(writer.head());
     std::vector<JsonLine> lines;
     std::vector<RowText> texts;
@@ -69,10 +70,12 @@ RunResult run_json_lines(ByteSource& source, const Settings& defaults, const Run
             sink(writer.placed(text.text, result.rows));
             ++result.rows;
             result.refused += text.refused ? 1 : 0;
+            tally.add(text.extras.checks);
         }
         result.interrupted = options.interrupted && *options.interrupted;
     }
     sink(writer.tail());
+    result.failed_checks = tally.lines();
     return result;
 }
 

@@ -106,6 +106,7 @@ struct Row {
     std::vector<std::string> cells;  ///< by question column
     std::string answer;
     bool refused = false;
+    ExtraResults extras;
 };
 
 bool ends_as_number(std::string_view text) {
@@ -130,14 +131,17 @@ class CsvBatch {
     RunResult run(const Sink& sink, const Sink& notice) {
         remark_on_columns(notice);
         bool more = read_chunk();
-        columns_.emplace(entries(), layout_.asks(Key::population) || input_.defaults.has(Key::population));
+        columns_.emplace(entries(), layout_.asks(Key::population) || input_.defaults.has(Key::population),
+                         options_.extras);
         sink(head());
         RunResult result;
+        CheckTally tally(options_.extras.checks);
         while (!rows_.empty() && !result.interrupted) {
             for_each_index(rows_.size(), options_.jobs, [&](std::size_t i) { answer(rows_[i]); });
             for (Row& row : rows_) {
                 if (!row.blank) {
                     result.refused += row.refused ? 1 : 0;
+                    tally.add(row.extras.checks);
                     if (row.sealed) notice("line " + std::to_string(row.line) + ": " + row.fault);
                     sink(placed(row.answer, result.rows));
                     ++result.rows;
@@ -150,6 +154,7 @@ class CsvBatch {
             if (more) more = read_chunk();
         }
         if (as_array()) sink("\n]\n");
+        result.failed_checks = tally.lines();
         return result;
     }
 
@@ -216,7 +221,8 @@ class CsvBatch {
                 .kept = {},
                 .line_end = std::string(record.line_end),
                 .cells = {},
-                .answer = {}};
+                .answer = {},
+                .extras = {}};
         // Missing cells at the end are empty cells; what is too long or never closed cannot take columns of ours.
         if (record.fields.size() < reader_.header().size() && !record.open_quote &&
             record.raw.find('\0') == std::string_view::npos) {
@@ -272,7 +278,7 @@ class CsvBatch {
 
     void answer(Row& row) const {
         if (row.blank) return;
-        const RowAnswer result = answer_row([&] {
+        const auto question = [&] {
             if (!row.fault.empty()) throw UsageError("line " + std::to_string(row.line) + ": " + row.fault);
             Settings settings = settings_of_row(row);
             if (layout_.asks(Key::offset) && cell_entries(settings) > columns_->cell_entries() && in_kind()) {
@@ -280,8 +286,10 @@ class CsvBatch {
                                  ": more positions than the first row has; put the longest list first");
             }
             return settings;
-        });
+        };
+        const RowAnswer result = answer_row(question, options_.extras);
         row.refused = result.refused;
+        row.extras = result.extras;
         if (!options_.paths.empty()) {
             row.answer = values_line(result, options_.paths);
         } else if (options_.format == Format::csv) {

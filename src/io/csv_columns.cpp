@@ -96,7 +96,8 @@ std::string warning_codes(const Json& warnings) {
 
 }  // namespace
 
-CsvColumns::CsvColumns(std::size_t cell_entries, bool population) : cell_entries_(cell_entries) {
+CsvColumns::CsvColumns(std::size_t cell_entries, bool population, const Extras& extras)
+    : cell_entries_(cell_entries) {
     for (const std::string_view path : leading_paths) add(std::string(path));
     add("exit.elongational_stress");
     for (std::size_t i = 0; i < cell_entries; ++i) {
@@ -106,6 +107,7 @@ CsvColumns::CsvColumns(std::size_t cell_entries, bool population) : cell_entries
     if (population) {
         for (const std::string_view path : population_paths) add(std::string(path));
     }
+    for (const std::string& path : extra_paths(extras)) add(path);
     for (const std::string_view path : trailing_paths) add(std::string(path));
 }
 
@@ -130,6 +132,8 @@ void CsvColumns::write(const Json& answer, CsvWriter& writer) const {
             writer.add_text(warning_codes(*value));
         } else if (value->is_number()) {
             writer.add_number(value->get<double>());
+        } else if (value->is_boolean()) {
+            writer.add_text(value->get<bool>() ? "true" : "false");
         } else {
             writer.add_text(value->get_ref<const std::string&>());
         }
@@ -149,7 +153,7 @@ bool is_answer_header(std::string_view header) {
         known = dot != std::string_view::npos && is_index(rest.substr(0, dot)) &&
                 std::find(cell_paths.begin(), cell_paths.end(), rest.substr(dot + 1)) != cell_paths.end();
     }
-    return known && with_unit(path) == header;
+    return (known && with_unit(path) == header) || is_extra_header(header);
 }
 
 }  // namespace bioprint

@@ -4,6 +4,8 @@
 
 #include "bioprint/errors.hpp"
 #include "bioprint/io/number_format.hpp"
+#include "io/answer_checks.hpp"
+#include "io/answer_path.hpp"
 
 namespace bioprint {
 
@@ -11,19 +13,22 @@ CsvDialect fresh_dialect() {
     return {.line_end = "\r\n"};
 }
 
-RowAnswer answer_row(const std::function<Settings()>& question) {
+RowAnswer answer_row(const std::function<Settings()>& question, const Extras& extras) {
+    RowAnswer row;
     try {
-        return {.object = answer_object(predict(question().make_case())), .refused = false};
+        row.object = answer_object(predict(question().make_case()));
     } catch (...) {
-        return {.object = refusal_object(current_refusal()), .refused = true};
+        return {.object = refusal_object(current_refusal()), .refused = true, .extras = no_extras(extras)};
     }
+    row.extras = add_extras(row.object, extras, false);
+    return row;
 }
 
 std::string values_line(const RowAnswer& answer, const std::vector<std::string>& paths) {
     std::string line;
     for (const std::string& path : paths) {
         if (!line.empty()) line += '\t';
-        line += answer.refused ? "null" : value_text(value_at(answer.object, path));
+        line += answer.refused ? "null" : value_text(value_at(answer.object, json_path(answer.object, path)));
     }
     return line + '\n';
 }
@@ -43,7 +48,7 @@ std::size_t cell_entries(const Settings& settings) {
 }
 
 RowWriter::RowWriter(const RunOptions& options, std::size_t cell_entries, bool population)
-    : options_(options), columns_(cell_entries, population) {}
+    : options_(options), columns_(cell_entries, population, options.extras) {}
 
 std::string RowWriter::head() const {
     if (!options_.paths.empty()) return {};
@@ -63,8 +68,8 @@ std::string RowWriter::csv_row(const Json& answer) const {
 }
 
 RowText RowWriter::answer(const std::function<Settings()>& question) const {
-    const RowAnswer answer = answer_row(question);
-    RowText row{.text = {}, .refused = answer.refused};
+    const RowAnswer answer = answer_row(question, options_.extras);
+    RowText row{.text = {}, .refused = answer.refused, .extras = answer.extras};
     if (!options_.paths.empty()) {
         row.text = values_line(answer, options_.paths);
     } else if (options_.format == Format::csv) {

@@ -1,7 +1,9 @@
 #include "io/run.hpp"
 
 #include "bioprint/errors.hpp"
+#include "io/answer_checks.hpp"
 #include "io/answer_object.hpp"
+#include "io/answer_path.hpp"
 #include "io/csv_columns.hpp"
 #include "io/parallel.hpp"
 #include "io/row_answer.hpp"
@@ -27,44 +29,54 @@ std::string profile_csv(const RadialProfile& profile) {
 }
 
 /// One question, whose refusal is the call's refusal.
-void answer_one(const Settings& row, const RunOptions& options, const Sink& sink, const Sink& notice) {
+void answer_one(const Settings& row, const RunOptions& options, const Sink& sink, const Sink& notice,
+                CheckTally& tally) {
     const Prediction prediction = predict(row.make_case());
+    const bool table_alone =
+        options.format == Format::table && options.paths.empty() && options.extras.empty();
+    if (table_alone) return sink(answer_table(prediction, options.style));
+    Json answer = answer_object(prediction);
+    const ExtraResults results = add_extras(answer, options.extras, true);
+    tally.add(results.checks);
     if (!options.paths.empty()) {
-        const Json answer = answer_object(prediction);
-        for (const std::string& path : options.paths) sink(value_text(value_at(answer, path)) + "\n");
+        for (const std::string& path : options.paths) {
+            sink(value_text(value_at(answer, json_path(answer, path))) + "\n");
+        }
         for (const Warning& warning : prediction.warnings) notice(warning.message);
         return;
     }
     switch (options.format) {
         case Format::table:
-            return sink(answer_table(prediction, options.style));
+            return sink(answer_table(prediction, options.style) +
+                        extras_sections(options.extras, results, options.style));
         case Format::json:
-            return sink(json_text(answer_object(prediction), 2) + "\n");
+            return sink(json_text(answer, 2) + "\n");
         case Format::jsonl:
-            return sink(json_text(answer_object(prediction)) + "\n");
+            return sink(json_text(answer) + "\n");
         case Format::csv:
             break;
     }
     if (prediction.profile) return sink(profile_csv(*prediction.profile));
     const RowWriter writer(options, cell_entries(row), row.has(Key::population));
-    sink(writer.head() + writer.csv_row(answer_object(prediction)));
+    sink(writer.head() + writer.csv_row(answer));
 }
 
 struct SweepRow {
     Settings settings;
     std::optional<Prediction> prediction;
     std::string error;
-    std::string text;
+    ExtraResults extras;
 };
 
-void write_table(const Sweep& sweep, const RunOptions& options, const Sink& sink, RunResult& result) {
+void write_table(const Sweep& sweep, const RunOptions& options, const Sink& sink, RunResult& result,
+                 CheckTally& tally) {
     constexpr std::size_t most_rows = 10000;  // a table is held whole to align it
     if (sweep.size() > most_rows) {
         throw UsageError("--format: a table holds at most 10000 rows and the sweep has " +
                              std::to_string(sweep.size()) + "; use --format csv or jsonl",
                          "--format");
     }
-    SweepTable table(sweep.swept());
+    SweepTable table(sweep.swept(), !options.extras.checks.empty());
     std::vector<SweepRow> rows(sweep.size());
     for_each_index(rows.size(), options.jobs, [&](std::size_t i) {
         rows[i].settings = sweep.row(i);
@@ -72,11 +84,17 @@ void write_table(const Sweep& sweep, const RunOptions& options, const Sink& sink
             rows[i].prediction = predict(rows[i].settings.make_case());
         } catch (const Error& e) {
             rows[i].error = e.what();
+            rows[i].extras = no_extras(options.extras);
+            return;
         }
+        if (options.extras.empty()) return;
+        Json answer = answer_object(*rows[i].prediction);
+        rows[i].extras = add_extras(answer, options.extras, false);
     });
     for (const SweepRow& row : rows) {
+        tally.add(row.extras.checks);
         if (row.prediction) {
-            table.add(row.settings, *row.prediction);
+            table.add(row.settings, *row.prediction, verdict(row.extras.checks));
         } else {
             table.add_refusal(row.settings, row.error);
             ++result.refused;
@@ -90,9 +108,11 @@ void write_table(const Sweep& sweep, const RunOptions& options, const Sink& sink
 
 RunResult run_sweep(const Sweep& sweep, const RunOptions& options, const Sink& sink, const Sink& notice) {
     RunResult result;
+    CheckTally tally(options.extras.checks);
     if (sweep.swept().empty()) {
-        answer_one(sweep.fixed(), options, sink, notice);
+        answer_one(sweep.fixed(), options, sink, notice, tally);
         result.rows = 1;
+        result.failed_checks = tally.lines();
         return result;
     }
     const bool has_lists =
@@ -102,7 +122,8 @@ RunResult run_sweep(const Sweep& sweep, const RunOptions& options, const Sink& s
                          "--profile");
     }
     if (options.format == Format::table && options.paths.empty()) {
-        write_table(sweep, options, sink, result);
+        write_table(sweep, options, sink, result, tally);
+        result.failed_checks = tally.lines();
         return result;
     }
 
@@ -118,6 +139,7 @@ RunResult run_sweep(const Sweep& sweep, const RunOptions& options, const Sink& s
         for (std::size_t i = 0; i < count; ++i) {
             sink(writer.placed(texts[i].text, begin + i));
             result.refused += texts[i].refused ? 1 : 0;
+            tally.add(texts[i].extras.checks);
         }
         result.rows += count;
         if (options.interrupted && *options.interrupted) {
@@ -126,6 +148,7 @@ RunResult run_sweep(const Sweep& sweep, const RunOptions& options, const Sink& s
         }
     }
     sink(writer.tail());
+    result.failed_checks = tally.lines();
     return result;
 }
 

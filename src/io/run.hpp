@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/extras.hpp"
 #include "io/settings.hpp"
 #include "io/sweep.hpp"
 #include "io/table.hpp"
@@ -23,6 +24,7 @@ using Sink = std::function<void(std::string_view)>;
 struct RunOptions {
     Format format = Format::table;
     std::vector<std::string> paths;  ///< of `--get`: print these values alone
+    Extras extras;
     TableStyle style;
     unsigned jobs = 1;
     const std::atomic<bool>* interrupted = nullptr;  ///< set by Ctrl-C; what was finished is kept
@@ -32,6 +34,7 @@ struct RunResult {
     std::size_t rows = 0;
     std::size_t refused = 0;
     bool interrupted = false;
+    std::vector<std::string> failed_checks;  ///< a line for each check that does not hold everywhere
 };
 
 /// Answers a question or a sweep. `notice` gets the warnings of a single question asked with `--get`.

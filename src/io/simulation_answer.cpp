@@ -5,7 +5,9 @@
 
 #include "bioprint/errors.hpp"
 #include "bioprint/io/number_format.hpp"
+#include "io/answer_checks.hpp"
 #include "io/answer_object.hpp"
+#include "io/answer_path.hpp"
 #include "io/row_answer.hpp"
 #include "io/table.hpp"
 
@@ -170,12 +172,10 @@ std::string simulation_table(const Comparison& comparison, const SimulationQuest
     return text;
 }
 
-void write(const Prediction& prediction, const Comparison& comparison, const SimulationQuestion& question,
-           const RunOptions& options, const Sink& sink) {
-    if (options.format == Format::table && options.paths.empty()) {
-        return sink(answer_table(prediction, options.style) +
-                    simulation_table(comparison, question, options.style));
-    }
+/// Returns a line for each check that does not hold.
+std::vector<std::string> write(const Prediction& prediction, const Comparison& comparison,
+                               const SimulationQuestion& question, const RunOptions& options,
+                               const Sink& sink) {
     Json answer = answer_object(prediction);
     answer["simulation"] = simulation_object(comparison, question);
     for (const SimulationWarning& warning : comparison.run.warnings) {
@@ -183,11 +183,20 @@ void write(const Prediction& prediction, const Comparison& comparison, const Sim
         std::replace(code.begin(), code.end(), '-', '_');
         answer["warnings"].push_back({{"code", code}, {"message", warning.message}});
     }
+    const ExtraResults results = add_extras(answer, options.extras, true);
     if (!options.paths.empty()) {
-        for (const std::string& path : options.paths) sink(value_text(value_at(answer, path)) + "\n");
-        return;
+        for (const std::string& path : options.paths) {
+            sink(value_text(value_at(answer, json_path(answer, path))) + "\n");
+        }
+    } else if (options.format == Format::table) {
+        sink(answer_table(prediction, options.style) + simulation_table(comparison, question, options.style) +
+             extras_sections(options.extras, results, options.style));
+    } else {
+        sink(json_text(answer, options.format == Format::json ? 2 : -1) + "\n");
     }
-    sink(json_text(answer, options.format == Format::json ? 2 : -1) + "\n");
+    CheckTally tally(options.extras.checks);
+    tally.add(results.checks);
+    return tally.lines();
 }
 
 /// Why a run that came to its end is not to be believed; empty when it is.
@@ -239,8 +248,9 @@ double resolution_of(const SimulationQuestion& question) {
     return 6.0;
 }
 
-void answer_with_simulation(const Settings& settings, const SimulationQuestion& question,
-                            const RunOptions& options, SimulationOptions simulation, const Sink& sink) {
+std::vector<std::string> answer_with_simulation(const Settings& settings, const SimulationQuestion& question,
+                                                const RunOptions& options, SimulationOptions simulation,
+                                                const Sink& sink) {
     if (options.format == Format::csv) {
         throw UsageError("--format: a simulation is answered as table, json or jsonl", "--format");
     }
@@ -256,7 +266,7 @@ void answer_with_simulation(const Settings& settings, const SimulationQuestion& 
         const Comparison comparison = compare_with_simulation(prediction, scene, simulation);
         const std::string failure = breakdown(comparison.run);
         if (!failure.empty()) throw SimulationIncomplete(failure, comparison.run);
-        write(prediction, comparison, question, options, sink);
+        return write(prediction, comparison, question, options, sink);
     } catch (const SimulationIncomplete& e) {
         write(prediction, compare(prediction, e.result()), question, options, sink);
         throw;

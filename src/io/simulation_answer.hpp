@@ -23,9 +23,10 @@ SceneKind scene_of(std::string_view name, const Prediction& prediction);
 double resolution_of(const SimulationQuestion& question);
 
 /// Predicts, simulates and writes the answer. What an interrupted run had is written before its error goes
-/// on.
+/// on. Returns a line for each check that does not hold.
 /// @throws SimulationIncomplete  and what predict() and simulate() throw
-void answer_with_simulation(const Settings& settings, const SimulationQuestion& question,
-                            const RunOptions& options, SimulationOptions simulation, const Sink& sink);
+std::vector<std::string> answer_with_simulation(const Settings& settings, const SimulationQuestion& question,
+                                                const RunOptions& options, SimulationOptions simulation,
+                                                const Sink& sink);
 
 }  // namespace bioprint

@@ -269,7 +269,7 @@ std::vector<std::string> SweepTable::label_cells(const Settings& row) const {
     return cells;
 }
 
-void SweepTable::add(const Settings& row, const Prediction& prediction) {
+void SweepTable::add(const Settings& row, const Prediction& prediction, const std::string& verdict) {
     std::vector<std::string> cells = label_cells(row);
     const double in_nozzle = nozzle_stress(prediction);
     const std::optional<double> at_exit = exit_stress(prediction);
@@ -279,6 +279,7 @@ void SweepTable::add(const Settings& row, const Prediction& prediction) {
     cells.push_back(lab(prediction.exit.elongational_stress, Dimension::pressure));
     cells.push_back(lab(in_nozzle, Dimension::pressure));
     cells.push_back(at_exit ? lab(*at_exit, Dimension::pressure) : "–");
+    if (checks_) cells.push_back(verdict);
     rows_.push_back(std::move(cells));
     for (const Warning& warning : prediction.warnings) {
         if (std::find(notes_.begin(), notes_.end(), warning.code) == notes_.end())
@@ -288,7 +289,7 @@ void SweepTable::add(const Settings& row, const Prediction& prediction) {
 
 void SweepTable::add_refusal(const Settings& row, const std::string& message) {
     std::vector<std::string> cells = label_cells(row);
-    cells.resize(swept_.size() + 6, "–");
+    cells.resize(swept_.size() + 6 + (checks_ ? 1 : 0), "–");
     rows_.push_back(std::move(cells));
     notes_.push_back(message);
 }
@@ -307,6 +308,10 @@ std::string SweepTable::text(TableStyle style) const {
                                       {"cell stress", "at exit"}}) {
         rows[0].push_back(top);
         rows[1].push_back(bottom);
+    }
+    if (checks_) {
+        rows[0].emplace_back("checks");
+        rows[1].emplace_back();
     }
     rows.insert(rows.end(), rows_.begin(), rows_.end());
     std::string out = grid(rows, 0);
