@@ -12,11 +12,11 @@ constexpr double z_part = 1.5625;
 constexpr double rho_part = 42.1875;
 constexpr double shape_part = 0.21875;  // 7/32
 
-/// Volume average of sqrt(z_part z² + rho_part ρ²) over the unit ball: (3/4) ∫_0^1 sqrt(rho_part −
+/// Volume average of sqrt(along z² + across ρ²), along < across, over the unit ball: (3/4) ∫_0^1 sqrt(across −
 /// (difference) c²) dc, c the cosine of the polar angle.
-double average_over_ball() {
-    const double e = std::sqrt(1.0 - z_part / rho_part);
-    return 0.75 * std::sqrt(rho_part) * 0.5 * (std::sqrt(1.0 - e * e) + std::asin(e) / e);
+double average_over_ball(double along = z_part, double across = rho_part) {
+    const double e = std::sqrt(1.0 - along / across);
+    return 0.75 * std::sqrt(across) * 0.5 * (std::sqrt(1.0 - e * e) + std::asin(e) / e);
 }
 
 }  // namespace
@@ -34,6 +34,20 @@ BulletState bullet(const BulletLoad& load) {
             .slip = -stress * a / (6.0 * load.viscosity),
             .shape_amplitude = shape_part * measure,
             .deformation_measure = measure};
+}
+
+double bullet_growth(double time, double viscosity_ratio) {
+    if (!(time > 0.0)) return 0.0;
+    require_not_negative(viscosity_ratio, "viscosity ratio");
+    // The displacement u_z = A z² + B ρ², u_ρ = −A ρ z has the modes A + 2B and 2A − B: −10/3 and 35/16 when
+    // steady, in units of Ga/(4μ).
+    const double first = 10.0 / 3.0 * std::expm1(-time / (2.0 / 3.0 + viscosity_ratio));
+    const double third = -35.0 / 16.0 * std::expm1(-time / (19.0 / 16.0 + viscosity_ratio));
+    const double a = (first + 2.0 * third) / 5.0;
+    const double b = (2.0 * first - third) / 5.0;
+    const double shear = 2.0 * (b - 0.5 * a);
+    const double across = 3.0 * shear * shear;
+    return across > 0.0 ? average_over_ball(36.0 * a * a, across) / average_over_ball() : 0.0;
 }
 
 double bullet_local_von_mises(const BulletLoad& load, double z, double rho) {

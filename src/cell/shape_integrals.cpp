@@ -8,27 +8,38 @@
 namespace bioprint {
 namespace {
 
-// The step's error is exp(-2π²/step) times some 1e4 (the integrands end in a power -7/2 at Im s = π); what
-// lies beyond the ends is of the same size: at the lower end g' falls as λ, at the upper g'' as λ^(-3/2).
-constexpr double step = 0.45;
-constexpr double below = 37.0;
-constexpr double above = 25.0;
 constexpr double smallest = 1e-60;
 constexpr int most_nodes = 460;
 
-struct Nodes {
+/// Equal steps in ln λ. The error of a step is exp(-2π²/step) times some 1e4 (the integrands end in a power
+/// -7/2 at Im s = π); what lies beyond the ends is of the same size: at the lower end g' falls as λ, at the
+/// upper g'' as λ^(-3/2).
+struct Steps {
+    double step;
+    double below;
+    double above;
+    int first;  ///< lambda[0] = exp(first * step)
     std::array<double, most_nodes> lambda;
-    static constexpr int first = -389;  // lambda[0] = exp(first * step)
+
+    Steps(double step_size, double lower, double upper)
+        : step(step_size),
+          below(lower),
+          above(upper),
+          first(static_cast<int>(std::floor((std::log(smallest) - lower) / step_size))),
+          lambda() {
+        for (int i = 0; i < most_nodes; ++i)
+            lambda[static_cast<std::size_t>(i)] = std::exp(step * (first + i));
+    }
 };
 
-const Nodes& nodes() {
-    static const Nodes table = [] {
-        Nodes n{};
-        for (int i = 0; i < most_nodes; ++i)
-            n.lambda[static_cast<std::size_t>(i)] = std::exp(step * (n.first + i));
-        return n;
-    }();
-    return table;
+const Steps& exact_steps() {
+    static const Steps steps(0.45, 37.0, 25.0);
+    return steps;
+}
+
+const Steps& brief_steps() {
+    static const Steps steps(0.75, 18.0, 12.0);
+    return steps;
 }
 
 std::array<double, 3> scaled(const std::array<double, 3>& squares, double scale) {
@@ -43,19 +54,18 @@ ShapeIntegrals unscaled(ShapeIntegrals g, double scale) {
     return g;
 }
 
-}  // namespace
-
-ShapeIntegrals shape_integrals(const std::array<double, 3>& squares) {
+ShapeIntegrals summed(const Steps& steps, const std::array<double, 3>& squares) {
     const double scale = std::max({squares[0], squares[1], squares[2]});
     const double a = squares[0] / scale;
     const double b = squares[1] / scale;
     const double c = squares[2] / scale;
+    const double step = steps.step;
     const double least = std::max(smallest, std::min({a, b, c}));
-    const int from = static_cast<int>(std::floor((std::log(least) - below) / step)) - Nodes::first;
-    const int to = static_cast<int>(std::ceil(above / step)) - Nodes::first;
+    const int from = static_cast<int>(std::floor((std::log(least) - steps.below) / step)) - steps.first;
+    const int to = static_cast<int>(std::ceil(steps.above / step)) - steps.first;
 
     double f1 = 0.0, f2 = 0.0, f3 = 0.0, s1 = 0.0, s2 = 0.0, s3 = 0.0;
-    const double* lambda = nodes().lambda.data();
+    const double* lambda = steps.lambda.data();
 #pragma omp simd reduction(+ : f1, f2, f3, s1, s2, s3)
     for (int i = std::max(0, from); i < to; ++i) {
         const double l = lambda[i];
@@ -78,10 +88,20 @@ ShapeIntegrals shape_integrals(const std::array<double, 3>& squares) {
                     scale);
 }
 
+}  // namespace
+
+ShapeIntegrals shape_integrals(const std::array<double, 3>& squares) {
+    return summed(exact_steps(), squares);
+}
+
+ShapeIntegrals shape_integrals_brief(const std::array<double, 3>& squares) {
+    return summed(brief_steps(), squares);
+}
+
 CheckedShapeIntegrals shape_integrals_adaptive(const std::array<double, 3>& squares) {
     const double scale = std::max({squares[0], squares[1], squares[2]});
     const auto q = scaled(squares, scale);
-    const double low = std::log(std::min({q[0], q[1], q[2]})) - below;
+    const double low = std::log(std::min({q[0], q[1], q[2]})) - exact_steps().below;
     CheckedShapeIntegrals result{};
     const auto integral = [&](std::size_t i, double power) {
         const Integral g = integrate(
@@ -90,7 +110,7 @@ CheckedShapeIntegrals shape_integrals_adaptive(const std::array<double, 3>& squa
                 const double product = (q[0] + l) * (q[1] + l) * (q[2] + l);
                 return std::exp(power * s) * (q[i] + l) / (product * std::sqrt(product));
             },
-            low, above, 1e-13);
+            low, exact_steps().above, 1e-13);
         result.relative_error = std::max(result.relative_error, g.error / g.value);
         return g.value;
     };

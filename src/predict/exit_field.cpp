@@ -75,19 +75,20 @@ ExitField::Point ExitField::at(double x, double radial_position) const {
             .shear_share = square > 0.0 ? shear * shear / square : 0.0};
 }
 
+double ExitField::stream(double x, double r) const {
+    const double rho = r / radius_;
+    return 0.5 * velocity_average_ * r * r +
+           axis_.shape(x / radius_ / (1.0 - 0.5 * rho * rho)).value * excess(r).value;
+}
+
 double ExitField::streamline(double radius, double x) const {
-    const auto psi = [&](double r) {
-        const double rho = r / radius_;
-        return 0.5 * velocity_average_ * r * r +
-               axis_.shape(x / radius_ / (1.0 - 0.5 * rho * rho)).value * excess(r).value;
-    };
     if (radius <= 0.0) return 0.0;
     const double target = 0.5 * velocity_average_ * radius * radius + excess(radius).value;
     double low = 0.0;
     double high = radius_;
     double r = radius;
     for (int i = 0; i < 60; ++i) {
-        const double miss = psi(r) - target;
+        const double miss = stream(x, r) - target;
         (miss > 0.0 ? high : low) = r;
         double next = r - miss / (r * at(x, r).axial_velocity);
         if (!(next > low && next < high)) next = 0.5 * (low + high);

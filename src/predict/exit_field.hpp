@@ -34,6 +34,11 @@ class ExitField {
     /// At x from the lip and r from the axis [m].
     [[nodiscard]] Point at(double x, double r) const;
 
+    /// The stream function at x and r [m³/s]: the flux within r over 2π.
+    [[nodiscard]] double stream(double x, double r) const;
+
+    [[nodiscard]] double radius() const { return radius_; }
+
     /// The radius at x of the streamline that comes from `radius` in the nozzle [m].
     [[nodiscard]] double streamline(double radius, double x) const;
 

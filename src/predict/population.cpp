@@ -116,15 +116,32 @@ void check(const NozzleFlow& flow, const PopulationRequest& request) {
     }
 }
 
-/// Peak over uniform passage on the axis: what the cell's size does there.
-double size_factor(const NozzleFlow& flow, const PopulationRequest& request) {
-    const AxisCell cell{.radius = request.cell_radius,
-                        .shear_modulus = request.shear_modulus,
-                        .viscosity_ratio = request.viscosity_ratio};
-    const AxisEffects none{.volume_average = false, .quadratic_flow = false, .disturbed_viscosity = false};
-    const double with = exit_passage(flow, {.cell = cell}).passage.peak.von_mises;
-    const double without = exit_passage(flow, {.cell = cell, .effects = none}).passage.peak.von_mises;
-    return without > 0.0 ? with / without : 1.0;
+struct Streamline {
+    double radius;
+    StreamlinePassage passage;
+};
+
+/// Adds the streamlines around the first at which the largest stress changes from the exit into the nozzle:
+/// there the peak has a kink, and the share of the cells on either side hangs on it.
+template <typename Follow>
+void refine_change(std::vector<Streamline>& lines, const Follow& follow) {
+    const auto inside = std::find_if(lines.begin(), lines.end(), [](const Streamline& line) {
+        return line.passage.place == StreamlinePlace::nozzle;
+    });
+    if (inside == lines.begin() || inside == lines.end()) return;
+    auto index = static_cast<std::size_t>(inside - lines.begin());
+    const auto excess = [&](std::size_t i) {
+        return lines[i].passage.exit_peak - lines[i].passage.nozzle_peak;
+    };
+    for (int i = 0; i < 5; ++i) {
+        const double a = lines[index - 1].radius;
+        const double b = lines[index].radius;
+        const double part = excess(index - 1) / (excess(index - 1) - excess(index));
+        const double r = a + (b - a) * std::clamp(part, 0.1, 0.9);
+        const auto at = lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(index),
+                                     {.radius = r, .passage = follow(r)});
+        if (at->passage.place == StreamlinePlace::exit) ++index;
+    }
 }
 
 }  // namespace
@@ -133,27 +150,30 @@ Population population(const NozzleFlow& flow, const PopulationRequest& request) 
     check(flow, request);
     const ExitField field(flow);
     const double outermost = flow.radius() - request.cell_radius;
-    const double factor = size_factor(flow, request);
-    const double eta = viscosity(flow.ink(), 0.0);
-    const double bullet_stress = bullet({.pressure_gradient = flow.pressure_gradient(),
-                                         .viscosity = eta,
-                                         .cell_radius = request.cell_radius,
-                                         .shear_modulus = request.shear_modulus})
-                                     .von_mises;
-    Population result{};
-    std::vector<double> exposure;
+    const SizeEffect size(flow, {.radius = request.cell_radius,
+                                 .shear_modulus = request.shear_modulus,
+                                 .viscosity_ratio = request.viscosity_ratio});
+    const auto follow = [&](double r) {
+        return streamline_passage(flow, field, size,
+                                  {.start_radius = r,
+                                   .shear_modulus = request.shear_modulus,
+                                   .viscosity_ratio = request.viscosity_ratio,
+                                   .length = request.length},
+                                  [](const StreamlineState&) {});
+    };
+    std::vector<Streamline> lines;
     for (int i = 0; i < request.nodes; ++i) {
         // Chebyshev's points: dense at both ends, where the interpolation has one side only.
         const double place = 0.5 * (1.0 - std::cos(std::numbers::pi * i / (request.nodes - 1)));
-        const double r = outermost * std::max(place, 1e-6);
-        const StreamlinePassage p = streamline_passage(flow, field,
-                                                       {.start_radius = r,
-                                                        .shear_modulus = request.shear_modulus,
-                                                        .viscosity_ratio = request.viscosity_ratio,
-                                                        .length = request.length});
+        lines.push_back({.radius = outermost * place, .passage = follow(outermost * place)});
+    }
+    refine_change(lines, follow);
+    Population result{};
+    std::vector<double> exposure;
+    for (const auto& [r, p] : lines) {
         result.radius.push_back(r);
-        result.nozzle_peak.push_back(std::hypot(p.nozzle_peak, bullet_stress));
-        result.exit_peak.push_back(p.exit_peak * (1.0 + (factor - 1.0) * (1.0 - p.exit_shear_share)));
+        result.nozzle_peak.push_back(p.nozzle_peak);
+        result.exit_peak.push_back(p.exit_peak);
         if (p.exposure) exposure.push_back(*p.exposure + p.exit_exposure);
     }
 

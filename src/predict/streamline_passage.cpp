@@ -3,158 +3,376 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bioprint/cell/bullet.hpp"
 #include "bioprint/cell/roscoe.hpp"
 #include "bioprint/errors.hpp"
-#include "predict/exit_field.hpp"
+#include "numerics/rosenbrock.hpp"
+#include "predict/scan.hpp"
 #include "predict/streamline.hpp"
+#include "predict/streamline_path.hpp"
 
 namespace bioprint {
 namespace {
 
-constexpr double before = 4.0;  // nozzle radii
-constexpr double after = 6.0;
+constexpr double before = StreamlinePath::before;  // nozzle radii
+constexpr double after = StreamlinePath::after;
+constexpr double felt = 1.5;  // further in, what stands is the nozzle's stress
+constexpr double tolerance = 1e-6;
+constexpr int most_steps = 20000;
+/// A cell so soft that it takes longer is followed no further and counts as unsettled.
 constexpr double most_strain = 3000.0;
-constexpr double felt = -1.5;  // further in, what stands is the nozzle's stress
-constexpr TransientOptions accuracy{.tolerance = 1e-6, .max_steps = 20000, .samples = 4};
+/// Closer to its steady shape than this a cell has settled, and the rest of the nozzle is steady.
+constexpr double at_rest = 2e-5;
 
 /// B − 1 of Roscoe's ellipsoid in a shear whose velocity falls with r: its long axis leans towards −r.
-Deformation settled(const EllipsoidState& cell) {
-    const double angle = -*cell.angle;
-    const double c = std::cos(angle);
-    const double s = std::sin(angle);
-    const auto excess = [&](std::size_t i) { return cell.stretch[i] * cell.stretch[i] - 1.0; };
+PlanarStrain settled_strain(const EllipsoidState& cell) {
+    const double c = std::cos(*cell.angle);
+    const double s = -std::sin(*cell.angle);
+    const auto excess = [&](std::size_t i) { return (cell.stretch[i] - 1.0) * (cell.stretch[i] + 1.0); };
     const double a = excess(0);
     const double b = excess(1);
-    return deformation_of({{{a * c * c + b * s * s, (a - b) * c * s, 0.0},
-                            {(a - b) * c * s, a * s * s + b * c * c, 0.0},
-                            {0.0, 0.0, excess(2)}}});
+    return {.xx = a * c * c + b * s * s, .xr = (a - b) * c * s, .rr = a * s * s + b * c * c, .tt = excess(2)};
 }
 
-/// The largest of values that come one after the other: where one stands above both neighbours, the top of
-/// the parabola through the three.
-class Peak {
+class Follower {
   public:
-    void add(double x, double value) {
-        a_ = b_;
-        b_ = c_;
-        c_ = {.x = x, .value = value};
-        if (++count_ == 1 || value > top_.value) top_ = c_;
-        if (count_ < 3 || b_.value < a_.value || b_.value < c_.value) return;
-        const double left = (b_.value - a_.value) / (b_.x - a_.x);
-        const double right = (c_.value - b_.value) / (c_.x - b_.x);
-        const double bend = (right - left) / (c_.x - a_.x);
-        if (!(bend < 0.0)) return;
-        const double slope = left + bend * (b_.x - a_.x);  // at b
-        const Sample top{.x = b_.x - 0.5 * slope / bend, .value = b_.value - 0.25 * slope * slope / bend};
-        if (top.value > top_.value) top_ = top;
+    Follower(const NozzleFlow& flow, const ExitField& field, const SizeEffect& size,
+             const StreamlineRequest& request, FunctionRef<void(const StreamlineState&)> observe)
+        : request_(request),
+          size_(size),
+          observe_(observe),
+          path_(field, flow.ink(), request.start_radius),
+          cell_{.shear_modulus = request.shear_modulus, .viscosity_ratio = request.viscosity_ratio},
+          radius_(flow.radius()),
+          rate_(flow.shear_rate(request.start_radius)),
+          velocity_(SizeEffect::velocity(flow.velocity(request.start_radius), size.nozzle_slip())),
+          fluid_stress_(flow.stress(request.start_radius)),
+          viscosity_(viscosity(flow.ink(), rate_)),
+          steady_(roscoe_shear({.fluid_stress = fluid_stress_,
+                                .shear_rate = rate_,
+                                .shear_modulus = request.shear_modulus,
+                                .viscosity_ratio = request.viscosity_ratio})),
+          steady_strain_(settled_strain(steady_)),
+          nozzle_end_(-std::min(felt * radius_, request.length ? 0.5 * *request.length : felt * radius_)) {}
+
+    StreamlinePassage follow() {
+        result_.nozzle_steady = stress(steady_strain_, size_.nozzle_linear());
+        result_.nozzle_peak = result_.nozzle_steady;
+        PlanarState state = planar_state(steady_strain_);
+        double from = -before * radius_;
+        if (!request_.length) {
+            observe_(settled_state(from, 0.0, 0.0));
+            result_.nozzle_end = settled_state(nozzle_end_, 0.0, 0.0);
+        } else if (*request_.length > before * radius_) {
+            state = start_up();
+        } else {
+            from = -*request_.length;
+            state = {};
+            result_.nozzle_peak = 0.0;
+            result_.nozzle_peak_position = from;
+            result_.settles = false;
+            result_.exposure = 0.0;
+        }
+        pass_exit(state, from);
+        return result_;
     }
-    [[nodiscard]] double value() const { return top_.value; }
-    [[nodiscard]] double x() const { return top_.x; }
 
   private:
-    struct Sample {
-        double x = 0.0;
-        double value = 0.0;
+    double stress(const PlanarStrain& strain, double linear) const {
+        const PlanarStress s = planar_stress(strain);
+        return combined_stress(request_.shear_modulus * s.von_mises, linear, s.shear_part);
+    }
+
+    StreamlineState state_of(const PlanarStrain& strain, double linear, const PlanarFlow& flow,
+                             double viscosity) const {
+        const PlanarShape shape = planar_shape(strain);
+        const double mu = request_.shear_modulus;
+        const double shear = cell_.inner_shear(flow, strain);
+        const double long_axis = std::max(shape.stretch[0], shape.stretch[1]);
+        const double short_axis = std::min(shape.stretch[0], shape.stretch[1]);
+        const double difference = (long_axis - short_axis) * (long_axis + short_axis);
+        StreamlineState s{};
+        s.stretch = shape.stretch;
+        s.angle = shape.angle;
+        s.von_mises = combined_stress(mu * shape.von_mises, linear, shape.shear_part);
+        s.elastic = {mu * shape.elastic[0], mu * shape.elastic[1], mu * shape.elastic[2]};
+        s.viscous = 2.0 * request_.viscosity_ratio * viscosity * shear;
+        if (difference > 1e-6) s.frequency = 2.0 * long_axis * short_axis / difference * shear;
+        return s;
+    }
+
+    PlanarFlow shear() const {
+        return {.xx = 0.0, .xr = -rate_, .rx = 0.0, .rr = 0.0, .tt = 0.0, .viscosity = viscosity_};
+    }
+
+    StreamlineState nozzle_state(const PlanarStrain& strain, double linear, double position, double time,
+                                 double exposure) const {
+        StreamlineState s = state_of(strain, linear, shear(), viscosity_);
+        s.position = position;
+        s.time = time;
+        s.radius = request_.start_radius;
+        s.fluid_stress = fluid_stress_;
+        s.exposure = exposure;
+        return s;
+    }
+
+    /// As Roscoe's theory gives it, to its digits.
+    StreamlineState settled_state(double position, double time, double exposure) const {
+        StreamlineState s = nozzle_state(steady_strain_, size_.nozzle_linear(), position, time, exposure);
+        s.stretch = steady_.stretch;
+        s.angle = *steady_.angle;
+        s.elastic = steady_.elastic;
+        s.viscous = steady_.viscous;
+        s.frequency = steady_.frequency;
+        return s;
+    }
+
+    /// From round at the entrance through the developed shear to where the exit is felt at all.
+    PlanarState start_up() {
+        const double mu = request_.shear_modulus;
+        const double lambda = request_.viscosity_ratio;
+        const double duration = (*request_.length - before * radius_) / velocity_;
+        const double relaxation = (1.5 + lambda) * viscosity_ / mu;
+        const double followed = std::min({duration, 30.0 * (relaxation + 1.0 / rate_), most_strain / rate_});
+        const double steady = result_.nozzle_steady;
+        const auto linear = [&](double t) {
+            return size_.nozzle_linear() > 0.0
+                       ? size_.nozzle_linear() * bullet_growth(t * mu / viscosity_, lambda)
+                       : 0.0;
+        };
+        const auto place = [&](double t) { return velocity_ * t - *request_.length; };
+        Scan scan(0.0, 0.0);
+        double settled_at = 0.0;
+        bool rests = false;
+        observe_(nozzle_state({}, 0.0, place(0.0), 0.0, 0.0));
+        const auto take = [&](const OdeStep<3>& step) {
+            const double length = step.to - step.from;
+            const auto value = [&](double theta) {
+                return stress(planar_strain(step.at(theta)), linear(step.from + theta * length));
+            };
+            scan.take(step.from, step.to, value, [](double) { return 1.0; });
+            for (const double theta : {0.25, 0.5, 0.75, 1.0}) {
+                if (std::abs(value(theta) - steady) > 0.05 * steady) settled_at = step.from + theta * length;
+            }
+            const PlanarStrain strain = planar_strain(step.end);
+            observe_(nozzle_state(strain, linear(step.to), place(step.to), step.to, scan.integral()));
+            rests = close(strain) && step.to * mu / viscosity_ > 11.0 * (19.0 / 16.0 + lambda);
+            return !rests;
+        };
+        const double load = std::clamp(fluid_stress_ / mu, 1e-30, 1.0);
+        const OdeOptions options{.tolerance = tolerance,
+                                 .first_step = 0.1 * std::min(followed, relaxation),
+                                 .max_steps = most_steps};
+        const auto done =
+            dormand_prince<3>([&](double, const PlanarState& y) { return cell_.derivative(shear(), y); }, 0.0,
+                              followed, PlanarState{}, {load, load, load}, options, take);
+        if (!done.finished) throw NotConverged("cell off the axis: the start-up in the nozzle gave up");
+        const PlanarState end = rests ? planar_state(steady_strain_) : done.y;
+        result_.nozzle_peak = scan.top().value;
+        result_.nozzle_peak_position = place(scan.top().at);
+        result_.settles = rests || settled_at < 0.95 * followed;
+        if (*result_.settles) result_.settling_time = settled_at;
+        exposure_ = scan.integral() + (duration - done.x) * (rests ? steady : scan.last());
+        result_.exposure = exposure_;
+        time_ = duration;
+        growth_ = rests ? 1.0 : (size_.nozzle_linear() > 0.0 ? linear(done.x) / size_.nozzle_linear() : 1.0);
+        return end;
+    }
+
+    bool close(const PlanarStrain& b) const {
+        const PlanarStrain& s = steady_strain_;
+        const double size = std::max({std::abs(s.xx), std::abs(s.xr), std::abs(s.rr), std::abs(s.tt)});
+        return std::max({std::abs(b.xx - s.xx), std::abs(b.xr - s.xr), std::abs(b.rr - s.rr),
+                         std::abs(b.tt - s.tt)}) <= at_rest * size;
+    }
+
+    /// Strain and linear part of a cell of this size, and its stress.
+    struct Reading {
+        PlanarStrain strain;
+        double linear;
     };
-    Sample a_{}, b_{}, c_{}, top_{};
-    int count_ = 0;
+    Reading reading(double s, const PlanarState& y) const {
+        const SizeEffect::Effect effect = size_.at(path_.position(s));
+        Reading r{.strain = planar_strain(y), .linear = growth_ * effect.linear};
+        if (effect.log_stretch != 0.0) {
+            const double share = 1.0 - path_.place(s).shear_share;
+            r.strain = SizeEffect::stretched(r.strain, share * effect.log_stretch);
+        }
+        return r;
+    }
+
+    StreamlineState exit_state(double s, const PlanarState& y, double time) const {
+        const Reading r = reading(s, y);
+        const StreamlinePath::Place place = path_.place(s);
+        PlanarFlow flow = path_.flow(s);
+        for (double* v : {&flow.xx, &flow.xr, &flow.rx, &flow.rr, &flow.tt}) *v /= place.slowness;
+        flow.viscosity = place.viscosity;
+        StreamlineState state = state_of(r.strain, r.linear, flow, place.viscosity);
+        state.position = path_.position(s);
+        state.time = time;
+        state.radius = place.radius;
+        state.fluid_stress = place.viscosity * place.rate;
+        return state;
+    }
+
+    /// Part of the way, from where the exit has no influence yet or behind that.
+    struct Leg {
+        Scan scan;
+        PlanarState end;
+        PlanarState at_peak;
+        double peak_time;
+    };
+
+    Leg carry(double first, double last, const PlanarState& start) {
+        const auto value_at = [&](double s, const PlanarState& y) {
+            const Reading r = reading(s, y);
+            return stress(r.strain, r.linear);
+        };
+        Leg leg{
+            .scan = Scan(first, value_at(first, start)), .end = start, .at_peak = start, .peak_time = time_};
+        const auto take = [&](const OdeStep<3>& step) {
+            const double length = step.to - step.from;
+            const auto slowness = [&](double theta) { return slowness_at(step.from + theta * length); };
+            const auto time_at = [&](double theta) {
+                const double sum = slowness(0.0) + 4.0 * slowness(0.5 * theta) + slowness(theta);
+                return time_ + theta * length * sum / 6.0;
+            };
+            const double stress_before = leg.scan.last();
+            const double exposure_before = leg.scan.integral();
+            leg.scan.take(
+                step.from, step.to,
+                [&](double theta) { return value_at(step.from + theta * length, step.at(theta)); }, slowness);
+            if (leg.scan.top().at > step.from) {
+                const double theta = (leg.scan.top().at - step.from) / length;
+                leg.at_peak = step.at(theta);
+                leg.peak_time = time_at(theta);
+            }
+            for (; observing() && path_.at_position(next_) <= step.to; next_ += request_.observe_every) {
+                const double s = path_.at_position(next_);
+                const double theta = std::clamp((s - step.from) / length, 0.0, 1.0);
+                StreamlineState state = exit_state(s, step.at(theta), time_at(theta));
+                state.exposure = exposure_ + exposure_before +
+                                 0.5 * (stress_before + state.von_mises) * (state.time - time_);
+                observe_(state);
+            }
+            time_ = time_at(1.0);
+            return true;
+        };
+        const double load = std::clamp(fluid_stress_ / request_.shear_modulus, 1e-6, 1.0);
+        const OdeOptions options{
+            .tolerance = tolerance, .first_step = 0.02 * (last - first), .max_steps = most_steps};
+        const auto f = [&](double s, const PlanarState& y) { return cell_.derivative(path_.flow(s), y); };
+        const PlanarState scale{load, load, load};
+        // An explicit step cannot be much longer than the relaxation time.
+        const auto done = relaxations(first, last) > 1000.0
+                              ? rosenbrock<3>(f, first, last, start, scale, options, take)
+                              : dormand_prince<3>(f, first, last, start, scale, options, take);
+        if (!done.finished) throw NotConverged("cell off the axis: the integration through the exit gave up");
+        exposure_ += leg.scan.integral();
+        leg.end = done.y;
+        return leg;
+    }
+
+    /// dt/ds of the cell.
+    [[nodiscard]] double slowness_at(double s) const {
+        const double ink = path_.place(s).slowness;
+        const double slip = size_.at(path_.position(s)).slip;
+        return slip == 0.0 ? ink : ink / SizeEffect::velocity(1.0, slip * ink / path_.stride(s));
+    }
+
+    [[nodiscard]] bool observing() const {
+        return request_.observe_every > 0.0 && next_ <= after * radius_ * (1.0 + 1e-9);
+    }
+
+    /// How many relaxation times a part of the way lasts.
+    [[nodiscard]] double relaxations(double first, double last) const {
+        constexpr int parts = 32;
+        double sum = 0.0;
+        for (int i = 0; i < parts; ++i)
+            sum += 1.0 / path_.flow(first + (last - first) * (i + 0.5) / parts).viscosity;
+        return sum * (last - first) / parts * request_.shear_modulus / (1.5 + request_.viscosity_ratio);
+    }
+
+    void pass_exit(const PlanarState& start, double from) {
+        const double before_exit = exposure_;
+        next_ = from + request_.observe_every;
+        const double nozzle_end = path_.at_position(nozzle_end_);
+        const double last = path_.at_position(after * radius_);
+        const Leg nozzle = carry(path_.at_position(from), nozzle_end, start);
+        if (request_.length) {
+            result_.nozzle_end = exit_state(nozzle_end, nozzle.end, time_);
+            result_.nozzle_end.exposure = exposure_;
+            if (nozzle.scan.top().value > result_.nozzle_peak) {
+                result_.nozzle_peak = nozzle.scan.top().value;
+                result_.nozzle_peak_position = path_.position(nozzle.scan.top().at);
+            }
+        }
+        const double before_peak = exposure_;
+        const Leg exit = carry(nozzle_end, last, nozzle.end);
+        const Scan::Top& top = exit.scan.top();
+        result_.exit = exit_state(top.at, exit.at_peak, exit.peak_time);
+        result_.exit.frequency.reset();
+        result_.exit.exposure = before_peak;
+        result_.exit_peak = top.value;
+        result_.exit_position = path_.position(top.at);
+        result_.exit_shear_share = path_.place(top.at).shear_share;
+        result_.place =
+            result_.exit_peak > result_.nozzle_peak ? StreamlinePlace::exit : StreamlinePlace::nozzle;
+        result_.end_radius = path_.place(last).radius;
+        result_.exit_exposure = exposure_ - before_exit;
+    }
+
+    const StreamlineRequest& request_;
+    const SizeEffect& size_;
+    FunctionRef<void(const StreamlineState&)> observe_;
+    StreamlinePath path_;
+    PlanarCell cell_;
+    double radius_;
+    double rate_;
+    double velocity_;
+    double fluid_stress_;
+    double viscosity_;
+    EllipsoidState steady_;
+    PlanarStrain steady_strain_;
+    double nozzle_end_;
+    double time_ = 0.0;
+    double exposure_ = 0.0;
+    double growth_ = 1.0;  ///< of the linear part, where the nozzle was too short for it
+    double next_ = 0.0;    ///< place of the next call of the observer
+    StreamlinePassage result_{};
 };
 
-struct Startup {
-    Deformation end;
-    Peak peak;
-    double exposure = 0.0;
-    double settled_at = 0.0;  ///< the last time the stress was off by 5 %
-};
-
-/// From round, in a steady shear for a given time.
-Startup start_up(const AmbientFlow& shear, const TransientCell& cell, double steady, double duration) {
-    Startup result{};
-    double time_before = 0.0;
-    double stress_before = 0.0;
-    result.end = carry_cell([&](double) { return shear; }, cell, {}, 0.0, duration, accuracy,
-                            [&](const TransientState& s) {
-                                result.peak.add(s.time, s.von_mises);
-                                result.exposure +=
-                                    0.5 * (s.von_mises + stress_before) * (s.time - time_before);
-                                if (std::abs(s.von_mises - steady) > 0.05 * steady)
-                                    result.settled_at = s.time;
-                                time_before = s.time;
-                                stress_before = s.von_mises;
-                            })
-                     .deformation;
-    return result;
+void check(const NozzleFlow& flow, const StreamlineRequest& request) {
+    if (!(request.start_radius >= 0.0 && request.start_radius < flow.radius()))
+        throw UsageError("streamline: the radial position must lie between axis and wall");
+    if (!(flow.velocity_average() > 0.0)) throw UsageError("streamline: nothing flows through the nozzle");
+    if (request.length && !(*request.length > 0.0 && std::isfinite(*request.length)))
+        throw UsageError("streamline: the length must be a finite number above zero");
 }
 
 }  // namespace
 
-StreamlinePassage streamline_passage(const NozzleFlow& flow, const ExitField& field,
-                                     const StreamlineRequest& request) {
-    const double r = request.start_radius;
-    if (!(r > 0.0 && r < flow.radius()))
-        throw UsageError("streamline: the radial position must lie between axis and wall");
-    const TransientCell cell{.shear_modulus = request.shear_modulus,
-                             .viscosity_ratio = request.viscosity_ratio};
-    const double rate = flow.shear_rate(r);
-    const EllipsoidState steady = roscoe_shear({.fluid_stress = flow.stress(r),
-                                                .shear_rate = rate,
-                                                .shear_modulus = request.shear_modulus,
-                                                .viscosity_ratio = request.viscosity_ratio});
-    StreamlinePassage result{};
-    result.nozzle_steady = steady.von_mises;
-    result.nozzle_peak = steady.von_mises;
-    Deformation deformation = settled(steady);
-    if (request.length && *request.length > before * flow.radius()) {
-        const AmbientFlow shear{.gradient = {{{0.0, -rate, 0.0}, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}},
-                                .viscosity = viscosity(flow.ink(), rate)};
-        const double duration = (*request.length - before * flow.radius()) / flow.velocity(r);
-        // Settled for certain after 30 relaxation and shearing times: the rest of a long nozzle is steady. A
-        // cell so soft that this takes a strain of thousands is followed no further than that and counts as
-        // unsettled.
-        const double relaxation = (1.5 + request.viscosity_ratio) * shear.viscosity / request.shear_modulus;
-        const double settling = 30.0 * (relaxation + 1.0 / rate);
-        const double followed = std::min({duration, settling, most_strain / rate});
-        const Startup start = start_up(shear, cell, steady.von_mises, followed);
-        deformation = start.end;
-        result.nozzle_peak = start.peak.value();
-        result.settles = start.settled_at < (followed < settling ? 0.95 : 1.0) * followed;
-        if (*result.settles) result.settling_time = start.settled_at;
-        result.exposure = start.exposure + (duration - followed) * steady.von_mises;
-    }
+StreamlinePassage streamline_passage(const NozzleFlow& flow, const ExitField& field, const SizeEffect& size,
+                                     const StreamlineRequest& request,
+                                     FunctionRef<void(const StreamlineState&)> observe) {
+    check(flow, request);
+    return Follower(flow, field, size, request, observe).follow();
+}
 
-    // Along the streamline with x in the place of time: gradients over u, viscosity times u.
-    const auto along = [&](double x) {
-        const ExitField::Point p = field.at(x, field.streamline(r, x));
-        Tensor gradient = p.gradient;
-        for (auto& row : gradient) {
-            for (double& v : row) v /= p.axial_velocity;
-        }
-        return AmbientFlow{.gradient = gradient,
-                           .viscosity = viscosity(flow.ink(), p.rate) * p.axial_velocity};
-    };
-    Peak peak;
-    double x_before = -before * flow.radius();
-    double density_before = 0.0;  // von Mises over velocity
-    carry_cell(
-        along, cell, deformation, x_before, after * flow.radius(), accuracy, [&](const TransientState& s) {
-            const double density = s.von_mises / field.at(s.time, field.streamline(r, s.time)).axial_velocity;
-            result.exit_exposure += 0.5 * (density + density_before) * (s.time - x_before);
-            density_before = density;
-            x_before = s.time;
-            if (s.time > felt * flow.radius()) peak.add(s.time, s.von_mises);
-        });
-    result.exit_peak = peak.value();
-    result.exit_position = peak.x();
-    result.exit_shear_share =
-        field.at(result.exit_position, field.streamline(r, result.exit_position)).shear_share;
-    result.place = result.exit_peak > result.nozzle_peak ? StreamlinePlace::exit : StreamlinePlace::nozzle;
-    result.end_radius = field.streamline(r, after * flow.radius());
-    return result;
+StreamlinePassage streamline_passage(const NozzleFlow& flow, const StreamlineRequest& request,
+                                     FunctionRef<void(const StreamlineState&)> observe) {
+    check(flow, request);
+    const ExitField field(flow);
+    const SizeEffect size = request.cell_radius > 0.0
+                                ? SizeEffect(flow, {.radius = request.cell_radius,
+                                                    .shear_modulus = request.shear_modulus,
+                                                    .viscosity_ratio = request.viscosity_ratio})
+                                : SizeEffect();
+    return streamline_passage(flow, field, size, request, observe);
 }
 
 StreamlinePassage streamline_passage(const NozzleFlow& flow, const StreamlineRequest& request) {
-    const ExitField field(flow);
-    return streamline_passage(flow, field, request);
+    return streamline_passage(flow, request, [](const StreamlineState&) {});
 }
 
 }  // namespace bioprint

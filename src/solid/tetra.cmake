@@ -1,6 +1,7 @@
 # Tetrahedra, and the meshes of data/meshes as part of the library; a change there builds it anew.
 set(BIOPRINT_MESH_CASES "")
-file(GLOB meshes CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/data/meshes/*.tet)
+file(GLOB meshes ${PROJECT_SOURCE_DIR}/data/meshes/*.tet)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/data/meshes)
 foreach(mesh ${meshes})
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${mesh})
   get_filename_component(mesh_name ${mesh} NAME_WE)

@@ -1,4 +1,4 @@
 bioprint_tests(flow
-  SOURCES unit/rheology/cross.cpp verify/nozzle_flow.cpp
+  SOURCES unit/rheology/cross.cpp unit/rheology/laws.cpp verify/nozzle_flow.cpp
   LINKS flow rheology numerics
   PRIVATE GSL::gsl)

@@ -1,5 +1,5 @@
 bioprint_tests(predict
-  SOURCES unit/predict/predict.cpp
+  SOURCES unit/predict/predict.cpp unit/predict/exit_kind.cpp
   LINKS predict)
 
 # 1e5 random calls; RC_PARAMS sets the number, a failing case prints its own reproduction.

@@ -81,7 +81,7 @@ TEST_CASE("streamline passage: a short nozzle is left before the cell has settle
 
 TEST_CASE("streamline passage: positions outside the nozzle and cells without stiffness are refused") {
     const NozzleFlow flow = nozzle(0.3);
-    CHECK_THROWS_AS(streamline_passage(flow, {.start_radius = 0.0, .shear_modulus = 1000.0}), UsageError);
+    CHECK_THROWS_AS(streamline_passage(flow, {.start_radius = -1e-9, .shear_modulus = 1000.0}), UsageError);
     CHECK_THROWS_AS(streamline_passage(flow, {.start_radius = radius, .shear_modulus = 1000.0}), UsageError);
     CHECK_THROWS_AS(streamline_passage(flow, {.start_radius = 0.1 * radius, .shear_modulus = 0.0}),
                     UsageError);

@@ -39,6 +39,11 @@ struct BulletState {
 /// @throws UsageError  a value outside its range or not finite
 BulletState bullet(const BulletLoad& load);
 
+/// How much of its von Mises stress the bullet has a time after it entered the nozzle round: the two modes of
+/// its shape grow to their steady values with (2/3 + λ) η/μ and (19/16 + λ) η/μ. From 0 to 1; the time in
+/// units of η/μ.
+double bullet_growth(double time, double viscosity_ratio = 1.0);
+
 /// The local von Mises stress [Pa] of the same field, z and ρ from the cell's centre [m].
 double bullet_local_von_mises(const BulletLoad& load, double z, double rho);
 

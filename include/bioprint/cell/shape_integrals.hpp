@@ -26,6 +26,9 @@ struct ShapeIntegrals {
 /// @param squares  α_i², > 0, in any order; their ratios up to 1e60
 ShapeIntegrals shape_integrals(const std::array<double, 3>& squares);
 
+/// The same to 1e-7 relative in a third of the time: enough inside an integration in time.
+ShapeIntegrals shape_integrals_brief(const std::array<double, 3>& squares);
+
 struct CheckedShapeIntegrals {
     ShapeIntegrals value;
     double relative_error;  ///< the largest relative error the quadrature estimates for any of the six
