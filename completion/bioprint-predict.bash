@@ -38,10 +38,15 @@ _bioprint_predict() {
             mapfile -t COMPREPLY < <(compgen -f -- "$current")
             return
             ;;
+        --out | --resume)
+            compopt -o filenames 2>/dev/null
+            mapfile -t COMPREPLY < <(compgen -d -- "$current")
+            return
+            ;;
         -R | --radius | --diameter | -Q | --flowrate | --velocity | --pressure-gradient | --pressure | --length | \
             --eta0 | --eta-inf | -K | --time-constant | -a | --alpha | --cell-radius | --shear-modulus | \
             --poisson-ratio | --viscosity-ratio | --offset | --threshold | --profile | --get | --check | \
-            --resolution | -j | --jobs | --limit | --range)
+            --samples | --resolution | --checkpoint-interval | -j | --jobs | --limit | --range)
             return # a quantity: nothing to propose
             ;;
         *)
@@ -53,8 +58,9 @@ _bioprint_predict() {
             words='-R --radius --diameter --needle --tip -Q --flowrate --velocity --pressure-gradient --pressure --length
                 --ink --eta0 --eta-inf -K --time-constant -a --alpha
                 --cell --cell-radius --shear-modulus --poisson-ratio --viscosity-ratio --offset
-                --model --population --threshold --profile --batch -f --format --json --get --check --history -o --output
-                -j --jobs -q --quiet -v --verbose --no-color --list --simulate --fidelity --resolution --version -h --help'
+                --model --population --threshold --profile --batch -f --format --json --get --check --uncertainty --samples --history -o --output
+                -j --jobs -q --quiet -v --verbose --no-color --list --simulate --fidelity --resolution
+                --out --resume --checkpoint-interval --version -h --help'
             [[ ${COMP_WORDS[1]} == design ]] && words+=' --solve --limit --range'
             ;;
     esac

@@ -6,6 +6,7 @@
 
 #include "bioprint/errors.hpp"
 #include "bioprint/io/answer.hpp"
+#include "cli/long_run.hpp"
 
 namespace bioprint {
 namespace {
@@ -36,6 +37,8 @@ struct Raw {
     std::optional<std::string> jobs;
     std::vector<std::string> paths;
     std::vector<std::string> checks;
+    bool uncertainty = false;
+    std::optional<std::string> samples;
     std::string scene;
     std::string population;
     std::optional<std::string> history;
@@ -45,6 +48,7 @@ struct Raw {
     std::vector<std::string> limits;
     std::optional<std::string> range;
     bool json = false;
+    RawLongRun long_run;
 };
 
 std::string option_names(const KeyInfo& info) {
@@ -88,6 +92,13 @@ void add_answer_options(CLI::App& app, Raw& raw, Arguments& arguments) {
         ->type_name("EXPR")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->group(group);
+    app.add_flag("--uncertainty", raw.uncertainty,
+                 "spread of the answer by that of the inputs (0.75±0.05) and the presets' scatter")
+        ->group(group);
+    app.add_option("--samples", raw.samples,
+                   "of the inputs, for the spread (default 256, with --population 64)")
+        ->type_name("N")
         ->group(group);
     app.add_option("-o,--output", raw.output, "write there, whole or not at all")
         ->type_name("FILE")
@@ -188,6 +199,25 @@ void collect_question(const CLI::App& app, const Raw& raw, Arguments& arguments,
     }
 }
 
+void collect_uncertainty(const Raw& raw, Arguments& arguments, Problems& problems) {
+    arguments.uncertainty.presets = raw.uncertainty;
+    arguments.uncertainty.wanted = raw.uncertainty || arguments.sweep.fixed().has_deviation();
+    if (!raw.samples) return;
+    const std::string& text = *raw.samples;
+    const bool digits = !text.empty() && text.size() <= 5 &&
+                        std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+    const std::size_t samples = digits ? std::stoul(text) : 0;
+    if (samples < 8 || samples > 65536) {
+        problems.add("--samples: got '" + text + "'; it takes a number from 8 to 65536, best a power of 2",
+                     "--samples");
+    } else if (!arguments.uncertainty.wanted && !arguments.batch) {
+        problems.add(
+            "--samples: belongs to an uncertainty; add --uncertainty, or a spread such as --alpha 0.75±0.05",
+            "--samples");
+    }
+    arguments.uncertainty.samples = samples;
+}
+
 void collect_answer(const Raw& raw, Arguments& arguments, Problems& problems) {
     arguments.batch = raw.batch;
     arguments.output = raw.output;
@@ -213,6 +243,7 @@ void collect_answer(const Raw& raw, Arguments& arguments, Problems& problems) {
         arguments.format = Format::json;
     }
     arguments.paths = raw.paths;
+    collect_uncertainty(raw, arguments, problems);
     for (const std::string& text : raw.checks) {
         problems.collect([&] { arguments.checks.push_back(parse_check(text, "--check")); });
     }
@@ -320,7 +351,9 @@ void collect_design(const Raw& raw, Arguments& arguments, Problems& problems) {
 
 }  // namespace
 
-std::optional<Arguments> parse_arguments(int argc, const char* const* argv) {
+namespace {
+
+std::optional<Arguments> parse_words(int argc, const char* const* argv) {
     CLI::App app(description, std::string(program_name));
     app.set_help_flag("-h,--help", "this text");
     app.set_version_flag("--version", std::string(program_name) + " " + std::string(program_version()));
@@ -335,6 +368,7 @@ std::optional<Arguments> parse_arguments(int argc, const char* const* argv) {
     add_simulation_options(app, raw);
     const CLI::App* const design = add_design(app, raw);
     app.require_subcommand(0, 1);
+    add_long_run_options(app, raw.long_run);
     Problems problems;
     try {
         app.parse(argc, argv);
@@ -353,12 +387,27 @@ std::optional<Arguments> parse_arguments(int argc, const char* const* argv) {
                          "; see bioprint-predict --help",
                      extra);
     }
-    collect_question(app, raw, arguments, problems);
+    arguments.typed = typed_question(app);
+    // Beside --resume the question is what the run was asked.
+    if (!raw.long_run.resume) collect_question(app, raw, arguments, problems);
     collect_answer(raw, arguments, problems);
-    collect_simulation(raw, arguments, problems);
+    if (!raw.long_run.resume) collect_simulation(raw, arguments, problems);
+    collect_long_run(raw.long_run, arguments, problems);
     if (design->parsed()) collect_design(raw, arguments, problems);
     problems.raise();
     return arguments;
+}
+
+}  // namespace
+
+std::optional<Arguments> parse_arguments(int argc, const char* const* argv) {
+    const std::optional<Arguments> now = parse_words(argc, argv);
+    if (!now || !now->long_run || !now->long_run->resumed) return now;
+    const std::vector<std::string> words = resumed_words(now->long_run->directory, now->typed);
+    std::vector<const char*> pointers;
+    for (const std::string& word : words) pointers.push_back(word.c_str());
+    const std::optional<Arguments> then = parse_words(static_cast<int>(pointers.size()), pointers.data());
+    return with_call(then.value(), *now);
 }
 
 }  // namespace bioprint

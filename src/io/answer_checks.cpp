@@ -4,6 +4,7 @@
 
 #include "bioprint/errors.hpp"
 #include "io/answer_path.hpp"
+#include "io/uncertainty.hpp"
 
 namespace bioprint {
 
@@ -57,7 +58,13 @@ Json checks_array(const std::vector<Check>& checks, const std::vector<CheckResul
     return list;
 }
 
-ExtraResults add_extras(Json& answer, const Extras& extras, bool strict) {
+void add_spread(Json& answer, const Settings& settings, const Extras& extras, unsigned jobs) {
+    if (extras.uncertainty.wanted || settings.has_deviation()) {
+        add_uncertainty(answer, settings, extras.uncertainty, jobs);
+    }
+}
+
+ExtraResults add_checks(Json& answer, const Extras& extras, bool strict) {
     ExtraResults results;
     if (extras.checks.empty()) return results;
     for (const Check& check : extras.checks) {
@@ -65,6 +72,20 @@ ExtraResults add_extras(Json& answer, const Extras& extras, bool strict) {
     }
     answer["checks"] = checks_array(extras.checks, results.checks);
     return results;
+}
+
+ExtraResults add_extras(Json& answer, const Settings& settings, const Extras& extras, unsigned jobs,
+                        bool strict) {
+    add_spread(answer, settings, extras, jobs);
+    return add_checks(answer, extras, strict);
+}
+
+std::string extras_sections(const Json& answer, const Extras& extras, const ExtraResults& results,
+                            TableStyle style) {
+    std::string text;
+    if (answer.contains("uncertainty")) text += uncertainty_section(answer, style);
+    if (!extras.checks.empty()) text += checks_section(extras.checks, results.checks, style);
+    return text;
 }
 
 }  // namespace bioprint

@@ -315,6 +315,12 @@ std::string_view unit_of(std::string_view path) {
         {"frequency", "1/s"},
         {"angle", "rad"},
     }};
+    // A spread has the unit of the number, the shares in it none.
+    if (path.starts_with("uncertainty.")) {
+        if (path.find(".first_order") != std::string_view::npos || path.ends_with(".missing")) return {};
+        path.remove_prefix(12);
+        path = path.substr(0, path.rfind('.'));
+    }
     if (path.starts_with("population.peak_stress.")) return "Pa";
     if (path.starts_with("population.exposure.")) return "Pa.s";
     const auto is_index = [](std::string_view name) {

@@ -122,7 +122,8 @@ RunResult answer_design(const DesignQuestion& question, const Settings& base, co
     }
     Json answer = answer_object(prediction);
     answer["design"] = design_object(question, design);
-    const ExtraResults results = add_extras(answer, options.extras, true);
+    const ExtraResults results = add_extras(answer, with_value(base, question.sought, design.value),
+                                            options.extras, options.jobs, true);
     if (!options.paths.empty()) {
         for (const std::string& path : options.paths) {
             sink(value_text(value_at(answer, json_path(answer, path))) + "\n");
@@ -131,7 +132,7 @@ RunResult answer_design(const DesignQuestion& question, const Settings& base, co
     } else if (options.format == Format::table) {
         for (std::size_t i = 0; i < design.remarks.size(); ++i) prediction.warnings.pop_back();
         sink(design_section(question, design, options.style) + answer_table(prediction, options.style) +
-             extras_sections(options.extras, results, options.style));
+             extras_sections(answer, options.extras, results, options.style));
     } else {
         sink(json_text(answer, options.format == Format::json ? 2 : -1) + "\n");
     }

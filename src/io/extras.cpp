@@ -8,8 +8,21 @@ ExtraResults no_extras(const Extras& extras) {
     return {.checks = unanswered(extras.checks)};
 }
 
-std::vector<std::string> extra_paths(const Extras& extras) {
+std::vector<std::string> spread_paths(const std::string& path) {
     std::vector<std::string> paths;
+    for (const char* const name : {"standard_deviation", "percentile_5", "percentile_50", "percentile_95"}) {
+        paths.push_back("uncertainty." + path + "." + name);
+    }
+    return paths;
+}
+
+std::vector<std::string> extra_paths(const Extras& extras, const std::vector<std::string>& answer_paths) {
+    std::vector<std::string> paths;
+    if (extras.uncertainty.wanted) {
+        for (const std::string& path : answer_paths) {
+            for (std::string& spread : spread_paths(path)) paths.push_back(std::move(spread));
+        }
+    }
     for (std::size_t i = 0; i < extras.checks.size(); ++i) {
         paths.push_back("checks." + std::to_string(i) + ".holds");
         paths.push_back("checks." + std::to_string(i) + ".relative_margin");
@@ -26,10 +39,6 @@ bool is_extra_header(std::string_view header) {
                                [](char c) { return c >= '0' && c <= '9'; });
     const std::string_view name = header.substr(dot);
     return index && (name == ".holds" || name == ".relative_margin");
-}
-
-std::string extras_sections(const Extras& extras, const ExtraResults& results, TableStyle style) {
-    return extras.checks.empty() ? std::string{} : checks_section(extras.checks, results.checks, style);
 }
 
 }  // namespace bioprint

@@ -16,11 +16,13 @@ CsvDialect fresh_dialect() {
 RowAnswer answer_row(const std::function<Settings()>& question, const Extras& extras) {
     RowAnswer row;
     try {
-        row.object = answer_object(predict(question().make_case()));
+        const Settings settings = question();
+        row.object = answer_object(predict(settings.make_case()));
+        add_spread(row.object, settings, extras, 1);
     } catch (...) {
         return {.object = refusal_object(current_refusal()), .refused = true, .extras = no_extras(extras)};
     }
-    row.extras = add_extras(row.object, extras, false);
+    row.extras = add_checks(row.object, extras, false);
     return row;
 }
 

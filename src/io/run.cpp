@@ -36,7 +36,7 @@ void answer_one(const Settings& row, const RunOptions& options, const Sink& sink
         options.format == Format::table && options.paths.empty() && options.extras.empty();
     if (table_alone) return sink(answer_table(prediction, options.style));
     Json answer = answer_object(prediction);
-    const ExtraResults results = add_extras(answer, options.extras, true);
+    const ExtraResults results = add_extras(answer, row, options.extras, options.jobs, true);
     tally.add(results.checks);
     if (!options.paths.empty()) {
         for (const std::string& path : options.paths) {
@@ -48,7 +48,7 @@ void answer_one(const Settings& row, const RunOptions& options, const Sink& sink
     switch (options.format) {
         case Format::table:
             return sink(answer_table(prediction, options.style) +
-                        extras_sections(options.extras, results, options.style));
+                        extras_sections(answer, options.extras, results, options.style));
         case Format::json:
             return sink(json_text(answer, 2) + "\n");
         case Format::jsonl:
@@ -89,7 +89,7 @@ void write_table(const Sweep& sweep, const RunOptions& options, const Sink& sink
         }
         if (options.extras.empty()) return;
         Json answer = answer_object(*rows[i].prediction);
-        rows[i].extras = add_extras(answer, options.extras, false);
+        rows[i].extras = add_extras(answer, rows[i].settings, options.extras, 1, false);
     });
     for (const SweepRow& row : rows) {
         tally.add(row.extras.checks);
@@ -120,6 +120,11 @@ RunResult run_sweep(const Sweep& sweep, const RunOptions& options, const Sink& s
     if (sweep.fixed().has(Key::profile) && !has_lists) {
         throw UsageError("--profile: a sweep carries profiles in json and jsonl only; choose one of them",
                          "--profile");
+    }
+    if (options.extras.uncertainty.wanted && options.format == Format::table && options.paths.empty()) {
+        throw UsageError(
+            "--uncertainty: a sweep shows spreads in csv, json and jsonl; choose one of them, or --get",
+            "--uncertainty");
     }
     if (options.format == Format::table && options.paths.empty()) {
         write_table(sweep, options, sink, result, tally);

@@ -172,10 +172,8 @@ std::string simulation_table(const Comparison& comparison, const SimulationQuest
     return text;
 }
 
-/// Returns a line for each check that does not hold.
-std::vector<std::string> write(const Prediction& prediction, const Comparison& comparison,
-                               const SimulationQuestion& question, const RunOptions& options,
-                               const Sink& sink) {
+Json simulated_answer(const Prediction& prediction, const Comparison& comparison,
+                      const SimulationQuestion& question) {
     Json answer = answer_object(prediction);
     answer["simulation"] = simulation_object(comparison, question);
     for (const SimulationWarning& warning : comparison.run.warnings) {
@@ -183,14 +181,22 @@ std::vector<std::string> write(const Prediction& prediction, const Comparison& c
         std::replace(code.begin(), code.end(), '-', '_');
         answer["warnings"].push_back({{"code", code}, {"message", warning.message}});
     }
-    const ExtraResults results = add_extras(answer, options.extras, true);
+    return answer;
+}
+
+/// Returns a line for each check that does not hold.
+std::vector<std::string> write(const Prediction& prediction, const Comparison& comparison,
+                               const SimulationQuestion& question, const Settings& settings,
+                               const RunOptions& options, const Sink& sink) {
+    Json answer = simulated_answer(prediction, comparison, question);
+    const ExtraResults results = add_extras(answer, settings, options.extras, options.jobs, true);
     if (!options.paths.empty()) {
         for (const std::string& path : options.paths) {
             sink(value_text(value_at(answer, json_path(answer, path))) + "\n");
         }
     } else if (options.format == Format::table) {
         sink(answer_table(prediction, options.style) + simulation_table(comparison, question, options.style) +
-             extras_sections(options.extras, results, options.style));
+             extras_sections(answer, options.extras, results, options.style));
     } else {
         sink(json_text(answer, options.format == Format::json ? 2 : -1) + "\n");
     }
@@ -250,7 +256,7 @@ double resolution_of(const SimulationQuestion& question) {
 
 std::vector<std::string> answer_with_simulation(const Settings& settings, const SimulationQuestion& question,
                                                 const RunOptions& options, SimulationOptions simulation,
-                                                const Sink& sink) {
+                                                const Sink& sink, SimulationFiles* files) {
     if (options.format == Format::csv) {
         throw UsageError("--format: a simulation is answered as table, json or jsonl", "--format");
     }
@@ -262,13 +268,19 @@ std::vector<std::string> answer_with_simulation(const Settings& settings, const 
             "--viscosity-ratio");
     }
     simulation.resolution = resolution_of(question);
+    if (files != nullptr) files->attach(simulation);
     try {
         const Comparison comparison = compare_with_simulation(prediction, scene, simulation);
         const std::string failure = breakdown(comparison.run);
         if (!failure.empty()) throw SimulationIncomplete(failure, comparison.run);
-        return write(prediction, comparison, question, options, sink);
+        if (files != nullptr) {
+            files->write_series(comparison.run.series);
+            files->write_answer(json_text(simulated_answer(prediction, comparison, question), 2) + "\n");
+        }
+        return write(prediction, comparison, question, settings, options, sink);
     } catch (const SimulationIncomplete& e) {
-        write(prediction, compare(prediction, e.result()), question, options, sink);
+        if (files != nullptr) files->write_series(e.result().series);
+        write(prediction, compare(prediction, e.result()), question, settings, options, sink);
         throw;
     }
 }

@@ -6,6 +6,7 @@
 
 #include "bioprint/predict/comparison.hpp"
 #include "io/run.hpp"
+#include "io/simulation_files.hpp"
 
 /// `--simulate`: a prediction, its simulation, their difference and the simulation's own error side by side.
 namespace bioprint {
@@ -23,10 +24,11 @@ SceneKind scene_of(std::string_view name, const Prediction& prediction);
 double resolution_of(const SimulationQuestion& question);
 
 /// Predicts, simulates and writes the answer. What an interrupted run had is written before its error goes
-/// on. Returns a line for each check that does not hold.
+/// on. `files`, where there are any, keep the run's state, its series and its answer. Returns a line for each
+/// check that does not hold.
 /// @throws SimulationIncomplete  and what predict() and simulate() throw
 std::vector<std::string> answer_with_simulation(const Settings& settings, const SimulationQuestion& question,
                                                 const RunOptions& options, SimulationOptions simulation,
-                                                const Sink& sink);
+                                                const Sink& sink, SimulationFiles* files = nullptr);
 
 }  // namespace bioprint
