@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numbers>
 
 #include "bioprint/errors.hpp"
@@ -57,10 +56,8 @@ class DesignSearch {
 
     Design solve() {
         find_directions();
-        const Boundary upper =
-            find_boundary([&](double s) { return worst(1, s); }, request(low_, high_, start_));
-        const Boundary lower =
-            find_boundary([&](double s) { return worst(-1, -s); }, request(-high_, -low_, -start_));
+        const Boundary upper = end_of(1);
+        const Boundary lower = end_of(-1);
         require_answers();
         const bool possible =
             upper.inside && lower.inside && -*lower.inside <= *upper.inside && constants_hold();
@@ -79,6 +76,17 @@ class DesignSearch {
   private:
     [[nodiscard]] BoundaryRequest request(double low, double high, double start) const {
         return {.low = low, .high = high, .start = start, .first_step = first_step_, .tolerance = tolerance_};
+    }
+
+    /// How far from the start all limits of a side are kept, in places times the side.
+    Boundary end_of(int side) {
+        const double low = side > 0 ? low_ : -high_;
+        const double high = side > 0 ? high_ : -low_;
+        const bool idle = std::find(direction_.begin(), direction_.end(), side) == direction_.end() &&
+                          (side > 0) != steady_flow_ends_above(question_.sought, drive_);
+        if (idle) return {.inside = high, .outside = std::nullopt};
+        return find_boundary([&](double s) { return worst(side, side * s); },
+                             request(low, high, side * start_));
     }
 
     void find_directions() {

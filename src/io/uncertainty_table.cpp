@@ -25,6 +25,7 @@ constexpr std::array<Shown, 9> shown = {{{"nozzle.flow_rate", "flow rate"},
                                          {"population.p95", "95 % of all cells"}}};
 
 std::string percent(double part) {
+    if (part < 0.005) return "0 %";
     return format_lab(100.0 * part, Dimension::dimensionless, part < 0.0995 ? 1 : 2).number + " %";
 }
 
@@ -36,7 +37,8 @@ const Json* spread_of(const Json& answer, std::string_view path) {
         const std::size_t end = std::min(real.find('.', begin), real.size());
         const std::string name = real.substr(begin, end - begin);
         if (place->is_array()) {
-            const std::size_t index = std::stoul(name);
+            const bool digits = !name.empty() && name.find_first_not_of("0123456789") == std::string::npos;
+            const std::size_t index = digits ? std::stoul(name) : place->size();
             if (index >= place->size()) return nullptr;
             place = &(*place)[index];
         } else if (place->is_object() && place->contains(name)) {
@@ -94,7 +96,8 @@ std::string uncertainty_section(const Json& answer, TableStyle style) {
     for (const Json& input : uncertainty.at("inputs")) text += inputs_line(input);
     std::vector<std::vector<std::string>> spreads = {{"", "mean", "±", "5 %", "50 %", "95 %", ""}};
     std::vector<std::vector<std::string>> shares = {{"share of the variance by"}};
-    for (const Json& input : uncertainty.at("inputs")) shares[0].push_back(input.at("name"));
+    for (const Json& input : uncertainty.at("inputs"))
+        shares[0].push_back(input.at("name").get<std::string>());
     for (const Shown& row : shown) {
         const Json* const spread = spread_of(answer, row.path);
         if (spread == nullptr) continue;
@@ -106,7 +109,7 @@ std::string uncertainty_section(const Json& answer, TableStyle style) {
              format_in(number("percentile_95"), unit, 4), std::string(unit.name)});
         shares.push_back({row.label});
         for (const auto& item : spread->at("first_order").items())
-            shares.back().push_back(percent(item.value()));
+            shares.back().push_back(percent(item.value().get<double>()));
     }
     text += table_grid(spreads, 1);
     if (shares[0].size() > 2) text += "\n" + table_grid(shares, 1) + advice(answer);

@@ -72,7 +72,7 @@ TEST_CASE("check: a sweep counts the rows in which a condition does not hold and
     CHECK(contains(run("-q --alpha 0,0.75 --check 'nozzle.stress_max<1kPa'").out, "FAIL"));
     const Outcome csv = run("-q --alpha 0,0.75 --check 'nozzle.stress_max<1kPa' --format csv");
     CHECK(contains(csv.out, "checks.0.holds,checks.0.relative_margin"));
-    CHECK(contains(csv.out, ",false,-1,"));
+    CHECK(contains(csv.out, ",false,-"));
 }
 
 TEST_CASE("check: a batch answers every row and a refused row comes before a check") {

@@ -82,8 +82,8 @@ TEST_CASE("check: margin and verdict follow the relation and strict limits are s
     CHECK(at(Relation::at_most, stress).holds);
     CHECK_FALSE(at(Relation::greater, stress).holds);
     CHECK(at(Relation::at_least, stress).holds);
-    CHECK(at(Relation::less, stress + 100.0).margin == doctest::Approx(100.0));
-    CHECK(at(Relation::greater, stress + 100.0).margin == doctest::Approx(-100.0));
+    CHECK(*at(Relation::less, stress + 100.0).margin == doctest::Approx(100.0));
+    CHECK(*at(Relation::greater, stress + 100.0).margin == doctest::Approx(-100.0));
 }
 
 TEST_CASE("check: a value that does not exist holds no condition and the sentence says so") {
