@@ -97,7 +97,7 @@ void add_answer_options(CLI::App& app, Raw& raw, Arguments& arguments) {
                  "spread of the answer by that of the inputs (0.75±0.05) and the presets' scatter")
         ->group(group);
     app.add_option("--samples", raw.samples,
-                   "of the inputs, for the spread (default 256, with --population 64)")
+                   "of the inputs, for the spread (default 1024, with --population 256)")
         ->type_name("N")
         ->group(group);
     app.add_option("-o,--output", raw.output, "write there, whole or not at all")

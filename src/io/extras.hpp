@@ -14,7 +14,7 @@ namespace bioprint {
 struct UncertaintyRequest {
     bool presets = false;                     ///< also by the scatter of presets
     bool wanted = false;                      ///< where inputs have one, or always with `presets`
-    std::optional<std::size_t> samples = {};  ///< none: `default_samples`
+    std::optional<std::size_t> samples = {};  ///< none: 1024, with the population 256
 };
 
 struct Extras {

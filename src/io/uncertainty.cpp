@@ -15,7 +15,8 @@ namespace bioprint {
 namespace {
 
 constexpr std::array<const char*, 4> sections = {"nozzle", "exit", "cells", "population"};
-constexpr std::size_t population_samples = 64;  // each takes some 20 ms
+constexpr std::size_t usual_samples = 1024;
+constexpr std::size_t population_samples = 256;  // each takes some 20 ms
 
 std::string_view kind_name(SpreadKind kind) {
     switch (kind) {
@@ -199,7 +200,7 @@ void add_uncertainty(Json& answer, const Settings& settings, const UncertaintyRe
         throw UsageError("--uncertainty: no input has a spread; give one, such as --alpha 0.75±0.05",
                          "--uncertainty");
     }
-    const std::size_t usual = answer.contains("population") ? population_samples : default_samples;
+    const std::size_t usual = answer.contains("population") ? population_samples : usual_samples;
     Sampling sampling(answer, settings, std::move(inputs), request.samples.value_or(usual));
     sampling.run(jobs);
     answer["uncertainty"] = sampling.object();

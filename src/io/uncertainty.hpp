@@ -22,9 +22,11 @@
 ///
 /// The sample is Sobol's sequence (numerics/quasi_random.hpp): the same call has the same answer, for any number of
 /// threads.
+///
+/// Accuracy of 1024 samples of up to six inputs against log-normal closed forms: mean 0.1 %, standard deviation 0.5 %,
+/// quantiles 1.5 %, shares 0.003; of 256 samples 0.2 %, 3 %, 7 %, 0.01.       tests/unit/io/uncertainty.cpp
 namespace bioprint {
 
-inline constexpr std::size_t default_samples = 256;
 
 enum class SpreadKind { log_normal, normal, uniform };
 

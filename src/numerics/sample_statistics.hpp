@@ -10,7 +10,7 @@
 /// The first-order index of an input is Var(E[y | x]) / Var(y) (Sobol 1993). As the inputs are independent and each
 /// is a function of a standard normal z, E[y | x] is expanded in Hermite polynomials of z, whose coefficients are
 /// averages over the sample: no evaluation beyond the sample's own is needed. The sum of the indices is at most 1;
-/// what it lacks is made by inputs together. Accuracy with 256 points: 0.02.      tests/unit/numerics/sampling.cpp
+/// what it lacks is made by inputs together. Accuracy with 1024 points: 0.01.      tests/unit/numerics/sampling.cpp
 namespace bioprint {
 
 struct SampleStatistics {

@@ -27,7 +27,7 @@ TEST_CASE("uncertainty: an input with its spread adds that of every number to th
     const json answer = json::parse(outcome.out);
     CHECK(schema_violations(answer, "answer") == "");
     CHECK(answer["uncertainty"]["inputs"].size() == 1);
-    CHECK(answer["uncertainty"]["samples"] == 256);
+    CHECK(answer["uncertainty"]["samples"] == 1024);
     CHECK(answer["uncertainty"]["cells"].size() == answer["cells"].size());
     CHECK(answer["uncertainty"]["nozzle"]["stress_max"]["first_order"]["alpha"].get<double>() > 0.95);
     CHECK(answer["uncertainty"]["nozzle"]["pressure_drop"] == nullptr);
@@ -37,7 +37,7 @@ TEST_CASE("uncertainty: an input with its spread adds that of every number to th
 TEST_CASE("uncertainty: the presets' scatter with a table of shares and advice") {
     const Outcome outcome = run("--uncertainty");
     CHECK(outcome.status == 0);
-    CHECK(contains(outcome.out, "Uncertainty: 256 samples"));
+    CHECK(contains(outcome.out, "Uncertainty: 1024 samples"));
     CHECK(contains(outcome.out, "eta0 10 ± 1.5 Pa s (log-normal)"));
     CHECK(contains(outcome.out, "share of the variance by"));
     CHECK(contains(outcome.out, "Most of the spread of"));

@@ -14,10 +14,10 @@ using namespace bioprint;
 
 namespace {
 
-constexpr double mean_tolerance = 0.005;  // 256 samples against closed forms
-constexpr double quantile_tolerance = 0.01;
-constexpr double spread_tolerance = 0.02;
-constexpr double share_tolerance = 0.02;
+constexpr double mean_tolerance = 0.002;  // 1024 samples against closed forms
+constexpr double quantile_tolerance = 0.015;
+constexpr double spread_tolerance = 0.01;
+constexpr double share_tolerance = 0.01;
 
 Settings settings(std::initializer_list<std::pair<Key, const char*>> values) {
     Settings result;
@@ -193,8 +193,8 @@ TEST_CASE("uncertainty: samples without an answer are counted and said and left 
         settings({{Key::alpha, "1"}, {Key::pressure_gradient, "7MPa/m±20%"}, {Key::model, "steady"}});
     const Json answer = answered(question);
     const std::size_t failed = answer["uncertainty"]["failed"].get<std::size_t>();
-    CHECK(failed > 20);
-    CHECK(failed < 230);
+    CHECK(failed > 100);  // a quarter of 1024
+    CHECK(failed < 500);
     CHECK(answer["uncertainty"]["failure"].get<std::string>().find("no steady flow") != std::string::npos);
     CHECK(answer["warnings"].back()["code"] == "failed_samples");
     CHECK(answer["uncertainty"]["nozzle"]["stress_max"]["percentile_95"].get<double>() < 200.0);
