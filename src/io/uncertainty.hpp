@@ -27,7 +27,6 @@
 /// quantiles 1.5 %, shares 0.003; of 256 samples 0.2 %, 3 %, 7 %, 0.01.       tests/unit/io/uncertainty.cpp
 namespace bioprint {
 
-
 enum class SpreadKind { log_normal, normal, uniform };
 
 struct UncertainInput {
