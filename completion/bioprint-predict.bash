@@ -24,7 +24,7 @@ _bioprint_predict() {
         --solve) words='radius flowrate velocity pressure pressure-gradient alpha' ;;
         --tip) words='steel tapered hypodermic' ;;
         --model) words='ellipsoid steady' ;;
-        --simulate) words='auto exit-flow channel exit' ;;
+        --simulate) words='auto shear channel exit-flow exit' ;;
         --fidelity) words='draft standard fine' ;;
         --list) words='inks cells nozzles' ;;
         --needle) words=$(_bioprint_predict_presets "$program" nozzles) ;;
@@ -46,7 +46,8 @@ _bioprint_predict() {
         -R | --radius | --diameter | -Q | --flowrate | --velocity | --pressure-gradient | --pressure | --length | \
             --eta0 | --eta-inf | -K | --time-constant | -a | --alpha | --cell-radius | --shear-modulus | \
             --poisson-ratio | --viscosity-ratio | --offset | --threshold | --profile | --get | --check | \
-            --samples | --resolution | --checkpoint-interval | -j | --jobs | --limit | --range)
+            --samples | --resolution | --fluid-stress | --channel-time | --checkpoint-interval | -j | --jobs | \
+            --limit | --range)
             return # a quantity: nothing to propose
             ;;
         *)
@@ -58,9 +59,9 @@ _bioprint_predict() {
             words='-R --radius --diameter --needle --tip -Q --flowrate --velocity --pressure-gradient --pressure --length
                 --ink --eta0 --eta-inf -K --time-constant -a --alpha
                 --cell --cell-radius --shear-modulus --poisson-ratio --viscosity-ratio --offset
-                --model --population --threshold --profile --batch -f --format --json --get --check --uncertainty --samples --history -o --output
-                -j --jobs -q --quiet -v --verbose --no-color --list --simulate --fidelity --resolution
-                --out --resume --checkpoint-interval --version -h --help'
+                --model --population --threshold --profile --batch -f --format --json --get --check
+                --uncertainty --samples --history -o --output -j --jobs -q --quiet -v --verbose --no-color --list --simulate --fidelity --resolution
+                --fluid-stress --channel-time --out --resume --checkpoint-interval --version -h --help'
             [[ ${COMP_WORDS[1]} == design ]] && words+=' --solve --limit --range'
             ;;
     esac

@@ -6,6 +6,7 @@
 
 #include "bioprint/errors.hpp"
 #include "bioprint/io/answer.hpp"
+#include "cli/design_options.hpp"
 #include "cli/long_run.hpp"
 
 namespace bioprint {
@@ -44,10 +45,10 @@ struct Raw {
     std::optional<std::string> history;
     std::optional<std::string> fidelity;
     std::optional<std::string> resolution;
-    std::optional<std::string> sought;
-    std::vector<std::string> limits;
-    std::optional<std::string> range;
+    std::optional<std::string> fluid_stress;
+    std::optional<std::string> channel_time;
     bool json = false;
+    RawDesign design;
     RawLongRun long_run;
 };
 
@@ -103,7 +104,7 @@ void add_answer_options(CLI::App& app, Raw& raw, Arguments& arguments) {
     app.add_option("-o,--output", raw.output, "write there, whole or not at all")
         ->type_name("FILE")
         ->group(group);
-    app.add_option("--history", raw.history, "write the centred cell's way through the exit there, as CSV")
+    app.add_option("--history", raw.history, "write the cells' way through nozzle and exit there, as CSV")
         ->type_name("FILE")
         ->group(group);
     app.add_option("--list", raw.list, "show the presets: inks, cells or nozzles")
@@ -121,7 +122,7 @@ void add_answer_options(CLI::App& app, Raw& raw, Arguments& arguments) {
 void add_simulation_options(CLI::App& app, Raw& raw) {
     const std::string group = "The simulation";
     app.add_flag("--simulate{auto}", raw.scene,
-                 "verify by simulation; --simulate=SCENE with exit-flow, channel, exit or auto")
+                 "verify by simulation; --simulate=SCENE with shear, channel, exit-flow, exit or auto")
         ->group(group);
     app.add_option("--fidelity", raw.fidelity, "draft, standard or fine: 3, 6 or 12 nodes a cell radius")
         ->type_name("WORD")
@@ -129,28 +130,14 @@ void add_simulation_options(CLI::App& app, Raw& raw) {
     app.add_option("--resolution", raw.resolution, "nodes a cell radius, in place of --fidelity")
         ->type_name("N")
         ->group(group);
-}
-
-/// Subcommands take the options of a prediction too, before or behind their own.
-CLI::App* add_design(CLI::App& app, Raw& raw) {
-    CLI::App* design = app.add_subcommand("design", "the printing parameter that keeps limits");
-    design->fallthrough();
-    design->footer(
-        "\nEvery option of a prediction sets the rest of the question: bioprint-predict --help.\n"
-        "Example:\n"
-        "  bioprint-predict design --solve flowrate --limit 'nozzle.stress_max<500Pa' --radius 100um\n"
-        "Exit status 7: no value keeps the limits; the answer is at the closest.");
-    design
-        ->add_option("--solve", raw.sought,
-                     "what is sought: radius, flowrate, velocity, pressure, pressure-gradient or alpha")
-        ->type_name("WORD");
-    design->add_option("--limit", raw.limits, "what to keep, such as 'population.p95<2kPa'; may be repeated")
-        ->type_name("EXPR")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    design->add_option("--range", raw.range, "where to look for it, such as 1uL/h:1mL/h")
-        ->type_name("LOW:HIGH");
-    return design;
+    app.add_option("--fluid-stress", raw.fluid_stress,
+                   "stress of the ink in the scene shear (default that at the first position off the axis)")
+        ->type_name("QUANTITY")
+        ->group(group);
+    app.add_option("--channel-time", raw.channel_time,
+                   "how long the cell flows in the nozzle (default until its shape is steady)")
+        ->type_name("QUANTITY")
+        ->group(group);
 }
 
 void print(const std::string& text) {
@@ -292,9 +279,25 @@ void collect_simulation(const Raw& raw, Arguments& arguments, Problems& problems
             }
         });
     }
+    const auto positive = [&](const std::optional<std::string>& text, Dimension dimension, const char* option,
+                              std::optional<double>& value) {
+        if (!text) return;
+        problems.collect([&] {
+            value = parse_quantity(*text, dimension, option);
+            if (!(*value > 0.0)) {
+                throw UsageError(std::string(option) + ": got '" + *text + "'; it takes a quantity above 0",
+                                 option);
+            }
+        });
+    };
+    positive(raw.fluid_stress, Dimension::pressure, "--fluid-stress", question.fluid_stress);
+    positive(raw.channel_time, Dimension::time, "--channel-time", question.channel_time);
     if (raw.scene.empty()) {
-        if (raw.fidelity || raw.resolution) {
-            problems.add("--fidelity and --resolution belong to a simulation; add --simulate", "--fidelity");
+        for (const auto& [name, given] : {std::pair{"--fidelity", raw.fidelity.has_value()},
+                                          {"--resolution", raw.resolution.has_value()},
+                                          {"--fluid-stress", raw.fluid_stress.has_value()},
+                                          {"--channel-time", raw.channel_time.has_value()}}) {
+            if (given) problems.add(std::string(name) + ": belongs to a simulation; add --simulate", name);
         }
         return;
     }
@@ -303,50 +306,6 @@ void collect_simulation(const Raw& raw, Arguments& arguments, Problems& problems
     if (arguments.batch || !arguments.sweep.swept().empty()) {
         problems.add("--simulate: one question at a time; leave out --batch and lists", "--simulate");
     }
-}
-
-bool drives(Key key) {
-    return key == Key::flow_rate || key == Key::velocity || key == Key::pressure ||
-           key == Key::pressure_gradient;
-}
-
-bool sizes(Key key) {
-    return key == Key::radius || key == Key::diameter || key == Key::needle;
-}
-
-/// What is sought cannot be given.
-void refuse_given(Key sought, const Arguments& arguments, Problems& problems) {
-    for (const auto& [key, text] : arguments.given) {
-        if (key != sought && !(drives(key) && drives(sought)) && !(sizes(key) && sizes(sought))) continue;
-        const std::string name = "--" + std::string(info_of(key).option);
-        const std::string what(info_of(sought).option);
-        problems.add(name + ": cannot be given where " + what + " is sought; leave one of the two out", name);
-    }
-}
-
-void collect_design(const Raw& raw, Arguments& arguments, Problems& problems) {
-    if (!raw.sought) {
-        problems.add("--solve: is missing; it takes radius, flowrate, velocity, pressure or alpha",
-                     "--solve");
-    }
-    if (raw.limits.empty()) {
-        problems.add("--limit: is missing; it takes what to keep, such as 'nozzle.stress_max<2kPa'",
-                     "--limit");
-    }
-    if (arguments.batch || arguments.simulation || arguments.history || !arguments.sweep.swept().empty()) {
-        problems.add("design: one question at a time; leave out --batch, --simulate, --history and lists");
-    }
-    std::vector<Check> limits;
-    for (const std::string& text : raw.limits) {
-        problems.collect([&] { limits.push_back(parse_check(text, "--limit")); });
-    }
-    problems.collect([&] {
-        if (!raw.sought) return;
-        const Key sought = sought_key(*raw.sought);
-        refuse_given(sought, arguments, problems);
-        arguments.design = DesignQuestion{.sought = sought, .limits = limits};
-        if (raw.range) arguments.design->range = parse_range(*raw.range, sought);
-    });
 }
 
 }  // namespace
@@ -366,7 +325,7 @@ std::optional<Arguments> parse_words(int argc, const char* const* argv) {
     add_prediction_options(app, raw);
     add_answer_options(app, raw, arguments);
     add_simulation_options(app, raw);
-    const CLI::App* const design = add_design(app, raw);
+    const CLI::App* const design = add_design(app, raw.design);
     app.require_subcommand(0, 1);
     add_long_run_options(app, raw.long_run);
     Problems problems;
@@ -393,7 +352,7 @@ std::optional<Arguments> parse_words(int argc, const char* const* argv) {
     collect_answer(raw, arguments, problems);
     if (!raw.long_run.resume) collect_simulation(raw, arguments, problems);
     collect_long_run(raw.long_run, arguments, problems);
-    if (design->parsed()) collect_design(raw, arguments, problems);
+    if (design->parsed()) collect_design(raw.design, arguments, problems);
     problems.raise();
     return arguments;
 }

@@ -127,7 +127,7 @@ std::vector<std::string> run_simulation(const Arguments& arguments, const RunOpt
     }
     ProgressLine line(!arguments.quiet && isatty(STDERR_FILENO) != 0);
     std::mutex lock;  // two resolutions may run at once
-    const SimulationOptions simulation{.threads = static_cast<int>(std::min(options.jobs, 2U)),
+    const SimulationOptions simulation{.threads = static_cast<int>(options.jobs),
                                        .progress =
                                            [&](const SimulationProgress& progress) {
                                                const std::lock_guard guard(lock);

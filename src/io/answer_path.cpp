@@ -45,13 +45,21 @@ double stress_of(const Json& cell) {
     return value.is_number() ? value.get<double>() : -1.0;
 }
 
+/// Whether an entry stands before another as what the steady theory says of the same cell at the same place.
+bool is_steady_twin(const Json& steady, const Json& carried) {
+    return steady["model"] != "ellipsoid" && carried["model"] == "ellipsoid" &&
+           steady["place"] == carried["place"] && steady["offset"] == carried["offset"];
+}
+
 /// The entry that "nozzle" or "exit" means among the cells; none when there is no such entry.
 std::optional<std::size_t> cell_index(const Json& cells, std::string_view place) {
     std::optional<std::size_t> found;
     for (std::size_t i = 0; i < cells.size(); ++i) {
-        if (cells[i].at("place").get_ref<const std::string&>() != place) continue;
-        // At the exit the entry that is carried in time stands behind the steady one.
-        if (!found || place == "exit" || stress_of(cells[i]) > stress_of(cells[*found])) found = i;
+        if (cells[i]["place"] != place) continue;
+        if (i + 1 < cells.size() && is_steady_twin(cells[i], cells[i + 1])) continue;
+        const bool nearer = found && cells[i]["offset"] < cells[*found]["offset"];
+        const bool heavier = found && stress_of(cells[i]) > stress_of(cells[*found]);
+        if (!found || (place == "exit" ? nearer : heavier)) found = i;
     }
     return found;
 }

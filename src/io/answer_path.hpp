@@ -13,7 +13,9 @@
 ///
 ///   population.p95      population.peak_stress.percentile_95; p90, p99, median, mean, largest alike
 ///   cells.nozzle        the entry of the largest stress in the nozzle
-///   cells.exit          the entry at the exit by the better model: carried in time where there is one
+///   cells.exit          the entry at the exit of the cell nearest to the axis
+///
+/// both by the better model, carried in time where the answer has that.
 namespace bioprint {
 
 /// The path of the JSON answer that `path` means; itself where it is no short form.

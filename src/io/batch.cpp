@@ -45,7 +45,8 @@ bool starts_as_json(std::string_view head) {
 RunResult run_json_lines(ByteSource& source, const Settings& defaults, const RunOptions& options,
                          const Sink& sink) {
     JsonLinesReader reader(source);
-    const RowWriter writer(options, 3 * cell_entries(defaults), defaults.has(Key::population));
+    const RowWriter writer(options, 3 * cell_entries(defaults), defaults.has(Key::population),
+                           3 * passage_entries(defaults));
     RunResult result;
     CheckTally tally(options.extras.checks);
     sink(writer.head());

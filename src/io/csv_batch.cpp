@@ -131,8 +131,9 @@ class CsvBatch {
     RunResult run(const Sink& sink, const Sink& notice) {
         remark_on_columns(notice);
         bool more = read_chunk();
-        columns_.emplace(entries(), layout_.asks(Key::population) || input_.defaults.has(Key::population),
-                         options_.extras);
+        const std::size_t cells = entries();
+        columns_.emplace(cells, layout_.asks(Key::population) || input_.defaults.has(Key::population),
+                         passage_entries(input_.defaults) > 0 ? cells / 3 : 0, options_.extras);
         sink(head());
         RunResult result;
         CheckTally tally(options_.extras.checks);

@@ -27,7 +27,8 @@ class CsvColumns {
 
     /// @param cell_entries  entries of `cells` to provide columns for
     /// @param population    whether to provide columns for it
-    CsvColumns(std::size_t cell_entries, bool population, const Extras& extras = {});
+    /// @param passages      entries of `passages`
+    CsvColumns(std::size_t cell_entries, bool population, std::size_t passages, const Extras& extras = {});
 
     [[nodiscard]] std::size_t cell_entries() const { return cell_entries_; }
     /// Names with units, in order.

@@ -32,7 +32,7 @@ DesignLine::DesignLine(const DesignQuestion& question, const Settings& base)
         return std::any_of(question.limits.begin(), question.limits.end(),
                            [&](const Check& limit) { return limit.path.starts_with(begin); });
     };
-    cells_ = about("cells.");
+    cells_ = about("cells.") || about("passages.");
     population_ = about("population.");
 }
 

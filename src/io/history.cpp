@@ -1,8 +1,8 @@
 #include "io/history.hpp"
 
 #include "bioprint/errors.hpp"
-#include "bioprint/predict/exit_passage.hpp"
 #include "bioprint/predict/prediction.hpp"
+#include "bioprint/predict/streamline_passage.hpp"
 #include "io/csv.hpp"
 #include "io/row_answer.hpp"
 
@@ -22,25 +22,29 @@ std::string history_csv(const Settings& settings) {
     }
     const NozzleFlow flow =
         NozzleFlow::from_wall_rate(question.ink.law, question.radius, prediction.nozzle.shear_rate_max);
-    ExitPassageRequest request =
-        exit_passage_request(flow, {.radius = question.cell.radius,
-                                    .shear_modulus = question.cell.shear_modulus,
-                                    .viscosity_ratio = question.cell.viscosity_ratio});
-    request.observe_every = question.radius / points_a_radius;
-
     CsvWriter writer(fresh_dialect());
-    for (const char* name : {"x [m]", "time [s]", "stretch_axial", "stretch_radial", "von_mises [Pa]",
-                             "fluid_stress [Pa]", "exposure [Pa.s]"}) {
+    for (const char* name :
+         {"offset [m]", "x [m]", "time [s]", "r [m]", "stretch.0", "stretch.1", "stretch.2", "angle [rad]",
+          "von_mises [Pa]", "fluid_stress [Pa]", "exposure [Pa.s]"}) {
         writer.add_text(name);
     }
     writer.end_row();
-    exit_passage(flow, request, [&](const AxisCellState& state) {
-        for (const double value : {state.position, state.time, state.axial_stretch, state.radial_stretch,
-                                   state.von_mises, state.fluid_stress, state.stress_exposure}) {
-            writer.add_number(value);
-        }
-        writer.end_row();
-    });
+    for (const CellPosition& position : prediction.question.positions) {
+        const StreamlineRequest request{.start_radius = position.value,
+                                        .shear_modulus = question.cell.shear_modulus,
+                                        .viscosity_ratio = question.cell.viscosity_ratio,
+                                        .length = question.length,
+                                        .cell_radius = question.cell.radius,
+                                        .observe_every = question.radius / points_a_radius};
+        streamline_passage(flow, request, [&](const StreamlineState& s) {
+            for (const double value :
+                 {position.value, s.position, s.time, s.radius, s.stretch[0], s.stretch[1], s.stretch[2],
+                  s.angle, s.von_mises, s.fluid_stress, s.exposure}) {
+                writer.add_number(value);
+            }
+            writer.end_row();
+        });
+    }
     return writer.text();
 }
 

@@ -57,7 +57,7 @@ void answer_one(const Settings& row, const RunOptions& options, const Sink& sink
             break;
     }
     if (prediction.profile) return sink(profile_csv(*prediction.profile));
-    const RowWriter writer(options, cell_entries(row), row.has(Key::population));
+    const RowWriter writer(options, cell_entries(row), row.has(Key::population), passage_entries(row));
     sink(writer.head() + writer.csv_row(answer));
 }
 
@@ -132,7 +132,8 @@ RunResult run_sweep(const Sweep& sweep, const RunOptions& options, const Sink& s
         return result;
     }
 
-    RowWriter writer(options, cell_entries(sweep.fixed()), sweep.fixed().has(Key::population));
+    RowWriter writer(options, cell_entries(sweep.fixed()), sweep.fixed().has(Key::population),
+                     passage_entries(sweep.fixed()));
     sink(writer.head());
     const std::size_t total = sweep.size();
     for (std::size_t begin = 0; begin < total; begin += chunk_rows) {

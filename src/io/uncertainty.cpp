@@ -14,7 +14,7 @@
 namespace bioprint {
 namespace {
 
-constexpr std::array<const char*, 4> sections = {"nozzle", "exit", "cells", "population"};
+constexpr std::array<const char*, 5> sections = {"nozzle", "exit", "cells", "passages", "population"};
 constexpr std::size_t usual_samples = 1024;
 constexpr std::size_t population_samples = 256;  // each takes some 20 ms
 
