@@ -55,6 +55,11 @@ std::optional<double> difference(const ComparedValue& value) {
     return *value.predicted / value.simulated - 1.0;
 }
 
+/// None for a run that did not get far enough to have its error estimated.
+std::optional<double> stated_error(const ComparedValue& value) {
+    return value.error > 0.0 ? std::optional(value.error) : std::nullopt;
+}
+
 /// A map of values; "stretch.0" to "stretch.2" become one list.
 template <class Pick>
 Json values_object(const std::vector<ComparedValue>& values, const Pick& pick) {
@@ -111,7 +116,7 @@ Json simulation_object(const Comparison& comparison, const SimulationQuestion& q
     object["simulated"] =
         values_object(comparison.values, [](const auto& v) { return std::optional(v.simulated); });
     object["difference"] = values_object(comparison.values, [](const auto& v) { return difference(v); });
-    object["error"] = values_object(comparison.values, [](const auto& v) { return std::optional(v.error); });
+    object["error"] = values_object(comparison.values, [](const auto& v) { return stated_error(v); });
     object["series"] = series_object(run.series);
     return object;
 }
@@ -197,11 +202,15 @@ std::string simulation_table(const Comparison& comparison, const SimulationQuest
         const ValueName& name = label_of(value.name);
         if (value.name == "stretch.2" && !in_space) continue;  // as stretch.1
         const std::optional<double> off = difference(value);
-        const double error = value.simulated == 0.0 ? 0.0 : std::abs(value.error / value.simulated);
-        rows.push_back({label_in(run, name), value.predicted ? shown(*value.predicted, name) : "–",
-                        shown(value.simulated, name),
-                        off ? format_lab(100.0 * *off, Dimension::dimensionless, 2).number + " %" : "–",
-                        format_lab(100.0 * error, Dimension::dimensionless, 2).number + " %"});
+        const std::optional<double> error = value.simulated == 0.0 ? std::nullopt : stated_error(value);
+        rows.push_back(
+            {label_in(run, name), value.predicted ? shown(*value.predicted, name) : "–",
+             shown(value.simulated, name),
+             off ? format_lab(100.0 * *off, Dimension::dimensionless, 2).number + " %" : "–",
+             error ? format_lab(100.0 * std::abs(*error / value.simulated), Dimension::dimensionless, 2)
+                             .number +
+                         " %"
+                   : "–"});
     }
     std::string text = "\n" + table_heading("Simulation: " + scene_title(run), style) + table_grid(rows, 1) +
                        "  " +

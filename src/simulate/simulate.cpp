@@ -94,10 +94,14 @@ void extrapolate(SimulationResult& fine, const SimulationResult& coarse, double 
 /// A run without a coarser one beside it: relative errors fall with the cell's radius in nodes.
 void assume_errors(SimulationResult& result) {
     const double nodes = result.lattice.nodes_per_cell_radius;
+    // No reference case is drawn out like that: nothing is known of such a value's error.
+    const bool drawn_out =
+        std::any_of(result.warnings.begin(), result.warnings.end(),
+                    [](const SimulationWarning& warning) { return warning.code == "strong-deformation"; });
     for (SimulatedValue& v : result.values) {
         const double relative = result.scene == SceneKind::exit_flow ? draft_flow_error / (nodes * nodes)
                                                                      : draft_cell_error / nodes;
-        v.error = relative * std::abs(v.value);
+        v.error = (drawn_out ? 1.0 : relative) * std::abs(v.value);
     }
 }
 
