@@ -50,6 +50,7 @@ _bioprint_predict() {
     local words
     case $previous in
         -f | --format) words='table json jsonl csv' ;;
+        --solve) words='radius flowrate velocity pressure pressure-gradient alpha' ;;
         --tip) words='steel tapered hypodermic' ;;
         --model) words='ellipsoid steady' ;;
         --law) words='cross power-law carreau-yasuda herschel-bulkley' ;;
@@ -74,18 +75,24 @@ _bioprint_predict() {
             ;;
         -R | --radius | --diameter | -Q | --flowrate | --velocity | --pressure-gradient | --pressure | --length | \
             --eta0 | --eta-inf | -K | --time-constant | -a | --alpha | --consistency | --flow-index | --yield-stress | --transition | --cell-radius | --shear-modulus | \
-            --poisson-ratio | --viscosity-ratio | --offset | --threshold | --profile | --get | --resolution | \
+            --poisson-ratio | --viscosity-ratio | --offset | --threshold | --profile | --get | --check | --samples | --limit | --range | --resolution | \
             --fluid-stress | --channel-time | --checkpoint-interval | --snapshots | -j | --jobs)
             return # a quantity: nothing to propose
             ;;
         *)
+            if [[ $COMP_CWORD == 1 && $current != -* && -n $current ]]; then
+                mapfile -t COMPREPLY < <(compgen -W 'design' -- "$current")
+                return
+            fi
             [[ $current == -* || -z $current ]] || return
             words='-R --radius --diameter --needle --tip -Q --flowrate --velocity --pressure-gradient --pressure --length
                 --ink --law --eta0 --eta-inf -K --time-constant -a --alpha --consistency --flow-index --yield-stress --transition
                 --cell --cell-radius --shear-modulus --poisson-ratio --viscosity-ratio --offset
-                --model --population --threshold --profile --batch -f --format --json --get --history -o --output
+                --model --population --threshold --profile --batch -f --format --json --get --check
+                --uncertainty --samples --history -o --output
                 -j --jobs -q --quiet -v --verbose --no-color --list --simulate --fidelity --resolution
                 --fluid-stress --channel-time --tolerance --budget --explain --dry-run --out --resume --checkpoint-interval --snapshots --version -h --help'
+            [[ ${COMP_WORDS[1]} == design ]] && words+=' --solve --limit --range'
             ;;
     esac
     local proposals

@@ -7,6 +7,7 @@
 #include "bioprint/errors.hpp"
 #include "bioprint/io/answer.hpp"
 #include "cli/call_problems.hpp"
+#include "cli/design_options.hpp"
 #include "cli/ladder_options.hpp"
 #include "cli/long_run.hpp"
 
@@ -27,7 +28,8 @@ Examples:
   bioprint-predict --alpha 0.75 --simulate=exit --fidelity draft
   bioprint-predict fit rheometer.csv          (its own options: bioprint-predict fit --help)
 Exit status: 0 answered, 1 a bug, 2 the call is wrong, 3 no steady flow, 4 a file could not be
-  read or written, 5 a simulation did not come to its end, 6 some rows of a batch failed, 130 interrupted.
+  read or written, 5 a simulation did not come to its end, 6 some rows of a batch failed,
+  7 a --check or a limit does not hold, 130 interrupted.
 The full reference: man bioprint-predict)";
 
 struct Raw {
@@ -38,6 +40,9 @@ struct Raw {
     std::optional<std::string> list;
     std::optional<std::string> jobs;
     std::vector<std::string> paths;
+    std::vector<std::string> checks;
+    bool uncertainty = false;
+    std::optional<std::string> samples;
     std::string scene;
     std::string population;
     std::optional<std::string> history;
@@ -46,6 +51,7 @@ struct Raw {
     std::optional<std::string> fluid_stress;
     std::optional<std::string> channel_time;
     bool json = false;
+    RawDesign design;
     RawLongRun long_run;
     RawLadder ladder;
 };
@@ -85,6 +91,19 @@ void add_answer_options(CLI::App& app, Raw& raw, Arguments& arguments) {
         ->type_name("PATH")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->group(group);
+    app.add_option("--check", raw.checks,
+                   "exit status 7 unless this holds, such as 'nozzle.stress_max<2kPa'; may be repeated")
+        ->type_name("EXPR")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->group(group);
+    app.add_flag("--uncertainty", raw.uncertainty,
+                 "spread of the answer by that of the inputs (0.75±0.05) and the presets' scatter")
+        ->group(group);
+    app.add_option("--samples", raw.samples,
+                   "of the inputs, for the spread (default 1024, with --population 256)")
+        ->type_name("N")
         ->group(group);
     app.add_option("-o,--output", raw.output, "write there, whole or not at all")
         ->type_name("FILE")
@@ -171,6 +190,25 @@ void collect_question(const CLI::App& app, const Raw& raw, Arguments& arguments,
     }
 }
 
+void collect_uncertainty(const Raw& raw, Arguments& arguments, Problems& problems) {
+    arguments.uncertainty.presets = raw.uncertainty;
+    arguments.uncertainty.wanted = raw.uncertainty || arguments.sweep.fixed().has_deviation();
+    if (!raw.samples) return;
+    const std::string& text = *raw.samples;
+    const bool digits = !text.empty() && text.size() <= 5 &&
+                        std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+    const std::size_t samples = digits ? std::stoul(text) : 0;
+    if (samples < 8 || samples > 65536) {
+        problems.add("--samples: got '" + text + "'; it takes a number from 8 to 65536, best a power of 2",
+                     "--samples");
+    } else if (!arguments.uncertainty.wanted && !arguments.batch) {
+        problems.add(
+            "--samples: belongs to an uncertainty; add --uncertainty, or a spread such as --alpha 0.75±0.05",
+            "--samples");
+    }
+    arguments.uncertainty.samples = samples;
+}
+
 void collect_answer(const Raw& raw, Arguments& arguments, Problems& problems) {
     arguments.batch = raw.batch;
     arguments.output = raw.output;
@@ -196,6 +234,13 @@ void collect_answer(const Raw& raw, Arguments& arguments, Problems& problems) {
         arguments.format = Format::json;
     }
     arguments.paths = raw.paths;
+    collect_uncertainty(raw, arguments, problems);
+    for (const std::string& text : raw.checks) {
+        problems.collect([&] { arguments.checks.push_back(parse_check(text, "--check")); });
+    }
+    if (needs_population(arguments.checks) && !arguments.sweep.fixed().has(Key::population)) {
+        arguments.sweep.add(Key::population, "yes", "--check");
+    }
     if (raw.list) {
         if (*raw.list == "inks" || *raw.list == "cells" || *raw.list == "nozzles") {
             arguments.list = raw.list;
@@ -292,6 +337,8 @@ std::optional<Arguments> parse_words(int argc, const char* const* argv) {
     add_prediction_options(app, raw);
     add_answer_options(app, raw, arguments);
     add_simulation_options(app, raw);
+    const CLI::App* const design = add_design(app, raw.design);
+    app.require_subcommand(0, 1);
     add_long_run_options(app, raw.long_run);
     add_ladder_options(app, raw.ladder);
     Problems problems;
@@ -314,6 +361,7 @@ std::optional<Arguments> parse_words(int argc, const char* const* argv) {
     if (!raw.long_run.resume) collect_simulation(raw, arguments, problems);
     collect_long_run(raw.long_run, arguments, problems);
     collect_ladder(raw.ladder, arguments, problems);
+    if (design->parsed()) collect_design(raw.design, arguments, problems);
     if (!problems.empty() && !arguments.batch && arguments.sweep.swept().empty()) {
         add_range_problems(arguments.sweep.fixed(), problems);
     }

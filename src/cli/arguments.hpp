@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/design.hpp"
 #include "io/run.hpp"
 #include "io/run_directory.hpp"
 #include "io/settings.hpp"
@@ -26,11 +27,14 @@ struct Arguments {
     std::optional<std::string> batch;
     std::optional<Format> format;
     std::vector<std::string> paths;
+    std::vector<Check> checks;
+    UncertaintyRequest uncertainty;
     std::optional<std::string> output;
     std::optional<std::string> list;
     std::optional<std::string> history;
     std::optional<unsigned> jobs;
     std::optional<SimulationQuestion> simulation;
+    std::optional<DesignQuestion> design;  ///< of the subcommand
     std::optional<LongRun> long_run;
     std::optional<LadderQuestion> ladder;
     bool dry_run = false;

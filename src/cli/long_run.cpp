@@ -15,7 +15,8 @@ constexpr std::array<std::string_view, 12> of_this_call = {
     "--jobs",    "--quiet",  "--verbose", "--no-color", "--output",
     "--history", "--list",   "--out",     "--resume",   "--checkpoint-interval",
     "--help",    "--version"};
-constexpr std::array<std::string_view, 3> of_the_answer = {"--format", "--json", "--get"};
+constexpr std::array<std::string_view, 6> of_the_answer = {"--format", "--json",        "--get",
+                                                           "--check",  "--uncertainty", "--samples"};
 
 constexpr double most_snapshots = 1000.0;
 
@@ -158,6 +159,8 @@ Arguments with_call(Arguments then, const Arguments& now) {
     then.long_run = now.long_run;
     if (now.format) then.format = now.format;
     if (!now.paths.empty()) then.paths = now.paths;
+    if (!now.checks.empty()) then.checks = now.checks;
+    if (now.uncertainty.wanted) then.uncertainty = now.uncertainty;
     return then;
 }
 

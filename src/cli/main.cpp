@@ -19,6 +19,7 @@
 #include "cli/fit_command.hpp"
 #include "cli/ladder_options.hpp"
 #include "io/batch.hpp"
+#include "io/design_answer.hpp"
 #include "io/dry_run.hpp"
 #include "io/history.hpp"
 #include "io/kept_rows.hpp"
@@ -34,6 +35,7 @@ using namespace bioprint;
 
 constexpr int status_interrupted = 130;
 constexpr int status_some_rows_failed = 6;
+constexpr int status_check_failed = 7;
 
 std::atomic<bool> interrupted{false};
 
@@ -60,6 +62,7 @@ RunOptions run_options(const Arguments& arguments) {
     const bool colorless = arguments.no_color || (no_color != nullptr && *no_color != '\0');
     return {.format = arguments.format.value_or(Format::table),
             .paths = arguments.paths,
+            .extras = {.checks = arguments.checks, .uncertainty = arguments.uncertainty},
             .style = {.color = terminal && !colorless, .quiet = arguments.quiet},
             .jobs = arguments.jobs.value_or(std::max(1U, std::thread::hardware_concurrency())),
             .interrupted = &interrupted};
@@ -71,7 +74,9 @@ int status_of(const RunResult& result, bool to_file) {
             (to_file ? "; the output file was not written" : ""));
         return status_interrupted;
     }
-    return result.refused > 0 ? status_some_rows_failed : 0;
+    for (const std::string& line : result.failed_checks) say(line);
+    if (result.refused > 0) return status_some_rows_failed;
+    return result.failed_checks.empty() ? 0 : status_check_failed;
 }
 
 /// One line on a terminal that tells how far the simulation is, and how long it will still take.
@@ -116,7 +121,8 @@ RunDirectory directory_of(const Arguments& arguments) {
                        : RunDirectory::begin(run.directory, arguments.typed);
 }
 
-void run_simulation(const Arguments& arguments, const RunOptions& options, const Sink& sink) {
+std::vector<std::string> run_simulation(const Arguments& arguments, const RunOptions& options,
+                                        const Sink& sink) {
     std::optional<RunDirectory> directory;
     std::optional<SimulationFiles> files;
     if (arguments.long_run) {
@@ -133,8 +139,8 @@ void run_simulation(const Arguments& arguments, const RunOptions& options, const
                                            },
                                        .cancel = &interrupted};
     try {
-        answer_with_simulation(arguments.sweep.fixed(), *arguments.simulation, options, simulation, sink,
-                               files ? &*files : nullptr);
+        return answer_with_simulation(arguments.sweep.fixed(), *arguments.simulation, options, simulation,
+                                      sink, files ? &*files : nullptr);
     } catch (const UsageError&) {
         if (directory) directory->abandon();
         throw;
@@ -218,8 +224,9 @@ int run(Arguments arguments) {
         history.commit();
     }
     if (arguments.simulation) {
+        RunResult result{.rows = 1};
         try {
-            run_simulation(arguments, options, sink);
+            result.failed_checks = run_simulation(arguments, options, sink);
         } catch (const SimulationIncomplete& e) {
             output.commit();  // the prediction, and what the simulation had
             say(e.what());
@@ -227,7 +234,7 @@ int run(Arguments arguments) {
             return interrupted ? status_interrupted : exit_status_of_current();
         }
         output.commit();
-        return 0;
+        return status_of(result, false);
     }
     if (arguments.long_run) return run_kept_rows(arguments, options, notice);
     RunResult result;
@@ -238,6 +245,8 @@ int run(Arguments arguments) {
             output.flush();
         };
         result = run_batch(input, arguments.format, options, row_sink, notice);
+    } else if (arguments.design) {
+        result = answer_design(*arguments.design, arguments.sweep.fixed(), options, sink, notice);
     } else {
         result = run_sweep(arguments.sweep, options, sink, notice);
         if (arguments.verbose && arguments.sweep.swept().empty())

@@ -318,7 +318,7 @@ Refusal current_refusal() {
     }
 }
 
-const Json& value_at(const Json& answer, std::string_view path) {
+const Json& value_at(const Json& answer, std::string_view path, std::string_view option) {
     const Json* place = &answer;
     std::size_t begin = 0;
     while (begin <= path.size()) {
@@ -327,9 +327,9 @@ const Json& value_at(const Json& answer, std::string_view path) {
         if (next == nullptr) {
             const std::string known =
                 begin == 0 ? "the answer" : "'" + std::string(path.substr(0, begin - 1)) + "'";
-            throw UsageError(
-                "--get: no value at '" + std::string(path) + "'; " + known + " has " + offered_by(*place),
-                "--get");
+            throw UsageError(std::string(option) + ": no value at '" + std::string(path) + "'; " + known +
+                                 " has " + offered_by(*place),
+                             std::string(option));
         }
         place = next;
         begin = end + 1;
@@ -384,6 +384,12 @@ std::string_view unit_of(std::string_view path) {
         {"duration", "s"},
         {"exposure", "Pa.s"},
     }};
+    // A spread has the unit of the number, the shares in it none.
+    if (path.starts_with("uncertainty.")) {
+        if (path.find(".first_order") != std::string_view::npos || path.ends_with(".missing")) return {};
+        path.remove_prefix(12);
+        path = path.substr(0, path.rfind('.'));
+    }
     if (path.starts_with("population.peak_stress.")) return "Pa";
     if (path.starts_with("population.exposure.")) return "Pa.s";
     const auto is_index = [](std::string_view name) {

@@ -30,8 +30,8 @@ Json refusal_object(const Refusal& refusal);
 Refusal current_refusal();
 
 /// The value at a dotted path such as `cells.0.stress.von_mises`.
-/// @throws UsageError  naming the longest part that exists and what it offers
-const Json& value_at(const Json& answer, std::string_view path);
+/// @throws UsageError  naming `option`, the longest part that exists and what it offers
+const Json& value_at(const Json& answer, std::string_view path, std::string_view option = "--get");
 
 /// The SI unit of the number at a dotted path, "Pa/m"; empty for pure numbers and texts.
 std::string_view unit_of(std::string_view path);

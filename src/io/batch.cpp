@@ -50,6 +50,7 @@ RunResult run_json_lines(ByteSource& source, const Settings& defaults, const Run
     RunResult result = options.start;
     result.format = options.format;
     for (std::size_t passed = 0; passed < result.read && reader.next(); ++passed) continue;
+    CheckTally tally(options.extras.checks);
     if (result.read == 0) sink(writer.head());
     std::vector<JsonLine> lines;
     std::vector<RowText> texts;
@@ -72,12 +73,14 @@ RunResult run_json_lines(ByteSource& source, const Settings& defaults, const Run
             sink(writer.placed(text.text, result.rows));
             ++result.rows;
             result.refused += text.refused ? 1 : 0;
+            tally.add(text.extras.checks);
         }
         result.read += lines.size();
         result.interrupted = options.interrupted && *options.interrupted;
         if (options.keep) options.keep(result);
     }
     if (!(options.keep && result.interrupted)) sink(writer.tail());
+    result.failed_checks = tally.lines();
     return result;
 }
 

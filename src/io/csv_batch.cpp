@@ -106,6 +106,7 @@ struct Row {
     std::vector<std::string> cells;  ///< by question column
     std::string answer;
     bool refused = false;
+    ExtraResults extras;
 };
 
 bool ends_as_number(std::string_view text) {
@@ -132,9 +133,10 @@ class CsvBatch {
         bool more = read_chunk();
         const std::size_t cells = entries();
         columns_.emplace(cells, layout_.asks(Key::population) || input_.defaults.has(Key::population),
-                         passage_entries(input_.defaults) > 0 ? cells / 3 : 0);
+                         passage_entries(input_.defaults) > 0 ? cells / 3 : 0, options_.extras);
         RunResult result = options_.start;
         result.format = options_.format;
+        CheckTally tally(options_.extras.checks);
         if (result.read == 0) sink(head());
         std::size_t passed = 0;  // rows that an earlier part of this run has answered
         while (!rows_.empty() && !result.interrupted) {
@@ -146,6 +148,7 @@ class CsvBatch {
             for (Row& row : rows_) {
                 if (!row.blank) {
                     result.refused += row.refused ? 1 : 0;
+                    tally.add(row.extras.checks);
                     if (row.sealed) notice("line " + std::to_string(row.line) + ": " + row.fault);
                     sink(placed(row.answer, result.rows));
                     ++result.rows;
@@ -159,6 +162,7 @@ class CsvBatch {
             if (more) more = read_chunk();
         }
         if (as_array() && !(options_.keep && result.interrupted)) sink("\n]\n");
+        result.failed_checks = tally.lines();
         return result;
     }
 
@@ -225,7 +229,8 @@ class CsvBatch {
                 .kept = {},
                 .line_end = std::string(record.line_end),
                 .cells = {},
-                .answer = {}};
+                .answer = {},
+                .extras = {}};
         // Missing cells at the end are empty cells; what is too long or never closed cannot take columns of ours.
         if (record.fields.size() < reader_.header().size() && !record.open_quote &&
             record.raw.find('\0') == std::string_view::npos) {
@@ -281,7 +286,7 @@ class CsvBatch {
 
     void answer(Row& row) const {
         if (row.blank) return;
-        const RowAnswer result = answer_row([&] {
+        const auto question = [&] {
             if (!row.fault.empty()) throw UsageError("line " + std::to_string(row.line) + ": " + row.fault);
             Settings settings = settings_of_row(row);
             if (layout_.asks(Key::offset) && cell_entries(settings) > columns_->cell_entries() && in_kind()) {
@@ -289,8 +294,10 @@ class CsvBatch {
                                  ": more positions than the first row has; put the longest list first");
             }
             return settings;
-        });
+        };
+        const RowAnswer result = answer_row(question, options_.extras);
         row.refused = result.refused;
+        row.extras = result.extras;
         if (!options_.paths.empty()) {
             row.answer = values_line(result, options_.paths);
         } else if (options_.format == Format::csv) {

@@ -113,9 +113,44 @@ std::string warning_codes(const Json& warnings) {
     return codes;
 }
 
+/// The paths of the numbers that can have a spread.
+std::vector<std::string> spread_numbers(std::size_t cell_entries, bool population, std::size_t passages) {
+    std::vector<std::string> paths;
+    for (const std::string_view path : leading_paths) {
+        if (!path.starts_with("input.")) paths.emplace_back(path);
+    }
+    paths.emplace_back("exit.elongational_stress");
+    for (std::size_t i = 0; i < cell_entries; ++i) {
+        for (const std::string_view path : cell_paths) {
+            if (path != "place" && path != "model" && path != "applies")
+                paths.push_back("cells." + std::to_string(i) + "." + std::string(path));
+        }
+    }
+    for (std::size_t i = 0; i < passages; ++i) {
+        for (const std::string_view path : passage_paths) {
+            if (path != "peak.place" && path != "nozzle.settles")
+                paths.push_back("passages." + std::to_string(i) + "." + std::string(path));
+        }
+    }
+    if (population) paths.insert(paths.end(), population_paths.begin(), population_paths.end());
+    return paths;
+}
+
+/// The header of the number whose spread stands under a header; empty when it is none.
+std::string spread_number(std::string_view header) {
+    constexpr std::string_view begin = "uncertainty.";
+    if (!header.starts_with(begin)) return {};
+    const std::string_view path = header.substr(0, header.find(" ["));
+    const std::string_view number = path.substr(0, path.rfind('.'));
+    const std::vector<std::string> all =
+        spread_paths(std::string(number.substr(std::min(begin.size(), number.size()))));
+    if (std::find(all.begin(), all.end(), path) == all.end()) return {};
+    return std::string(number.substr(begin.size())) + std::string(header.substr(path.size()));
+}
+
 }  // namespace
 
-CsvColumns::CsvColumns(std::size_t cell_entries, bool population, std::size_t passages)
+CsvColumns::CsvColumns(std::size_t cell_entries, bool population, std::size_t passages, const Extras& extras)
     : cell_entries_(cell_entries) {
     for (const std::string_view path : leading_paths) add(std::string(path));
     add("exit.elongational_stress");
@@ -131,6 +166,8 @@ CsvColumns::CsvColumns(std::size_t cell_entries, bool population, std::size_t pa
         for (const std::string_view path : population_paths) add(std::string(path));
     }
     for (const std::string_view path : law_paths) add(std::string(path));
+    for (const std::string& path : extra_paths(extras, spread_numbers(cell_entries, population, passages)))
+        add(path);
     for (const std::string_view path : trailing_paths) add(std::string(path));
 }
 
@@ -179,7 +216,8 @@ bool is_answer_header(std::string_view header) {
                std::find(paths.begin(), paths.end(), rest.substr(dot + 1)) != paths.end();
     };
     known = known || listed("cells.", cell_paths) || listed("passages.", passage_paths);
-    return known && with_unit(path) == header;
+    if (const std::string number = spread_number(header); !number.empty()) return is_answer_header(number);
+    return (known && with_unit(path) == header) || is_extra_header(header);
 }
 
 }  // namespace bioprint

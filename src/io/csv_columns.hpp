@@ -8,6 +8,7 @@
 
 #include "io/answer_object.hpp"
 #include "io/csv.hpp"
+#include "io/extras.hpp"
 
 /// The columns of an answer in CSV: the answer's paths with the unit behind, `nozzle.stress_max [Pa]`.
 ///
@@ -27,7 +28,7 @@ class CsvColumns {
     /// @param cell_entries  entries of `cells` to provide columns for
     /// @param population    whether to provide columns for it
     /// @param passages      entries of `passages`
-    CsvColumns(std::size_t cell_entries, bool population, std::size_t passages);
+    CsvColumns(std::size_t cell_entries, bool population, std::size_t passages, const Extras& extras = {});
 
     [[nodiscard]] std::size_t cell_entries() const { return cell_entries_; }
     /// Names with units, in order.

@@ -4,6 +4,8 @@
 
 #include "bioprint/errors.hpp"
 #include "bioprint/io/number_format.hpp"
+#include "io/answer_checks.hpp"
+#include "io/answer_path.hpp"
 
 namespace bioprint {
 
@@ -11,19 +13,24 @@ CsvDialect fresh_dialect() {
     return {.line_end = "\r\n"};
 }
 
-RowAnswer answer_row(const std::function<Settings()>& question) {
+RowAnswer answer_row(const std::function<Settings()>& question, const Extras& extras) {
+    RowAnswer row;
     try {
-        return {.object = answer_object(predict(question().make_case())), .refused = false};
+        const Settings settings = question();
+        row.object = answer_object(predict(settings.make_case()));
+        add_spread(row.object, settings, extras, 1);
     } catch (...) {
-        return {.object = refusal_object(current_refusal()), .refused = true};
+        return {.object = refusal_object(current_refusal()), .refused = true, .extras = no_extras(extras)};
     }
+    row.extras = add_checks(row.object, extras, false);
+    return row;
 }
 
 std::string values_line(const RowAnswer& answer, const std::vector<std::string>& paths) {
     std::string line;
     for (const std::string& path : paths) {
         if (!line.empty()) line += '\t';
-        line += answer.refused ? "null" : value_text(value_at(answer.object, path));
+        line += answer.refused ? "null" : value_text(value_at(answer.object, json_path(answer.object, path)));
     }
     return line + '\n';
 }
@@ -61,7 +68,7 @@ std::size_t passage_entries(const Settings& settings) {
 
 RowWriter::RowWriter(const RunOptions& options, std::size_t cell_entries, bool population,
                      std::size_t passages)
-    : options_(options), columns_(cell_entries, population, passages) {}
+    : options_(options), columns_(cell_entries, population, passages, options.extras) {}
 
 std::string RowWriter::head() const {
     if (!options_.paths.empty()) return {};
@@ -81,8 +88,8 @@ std::string RowWriter::csv_row(const Json& answer) const {
 }
 
 RowText RowWriter::answer(const std::function<Settings()>& question) const {
-    const RowAnswer answer = answer_row(question);
-    RowText row{.text = {}, .refused = answer.refused};
+    const RowAnswer answer = answer_row(question, options_.extras);
+    RowText row{.text = {}, .refused = answer.refused, .extras = answer.extras};
     if (!options_.paths.empty()) {
         row.text = values_line(answer, options_.paths);
     } else if (options_.format == Format::csv) {

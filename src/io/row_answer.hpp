@@ -15,14 +15,17 @@ namespace bioprint {
 struct RowText {
     std::string text;
     bool refused = false;
+    ExtraResults extras;
 };
 
 /// The answer of a row, or the refusal in its place; never throws for what is the row's own fault.
 struct RowAnswer {
     Json object;
     bool refused = false;
+    ExtraResults extras;
 };
-RowAnswer answer_row(const std::function<Settings()>& question);
+/// @throws UsageError  a check at a place that no answer has
+RowAnswer answer_row(const std::function<Settings()>& question, const Extras& extras = {});
 
 /// The values at `paths`, one line, separated by tabs; `null` throughout for a refusal.
 std::string values_line(const RowAnswer& answer, const std::vector<std::string>& paths);

@@ -3,7 +3,9 @@
 #include <cmath>
 
 #include "bioprint/errors.hpp"
+#include "io/answer_checks.hpp"
 #include "io/answer_object.hpp"
+#include "io/answer_path.hpp"
 #include "io/csv_columns.hpp"
 #include "io/parallel.hpp"
 #include "io/row_answer.hpp"
@@ -39,45 +41,55 @@ Json answer_of(const Prediction& prediction, const RunOptions& options) {
 }
 
 /// One question, whose refusal is the call's refusal.
-void answer_one(const Settings& row, const RunOptions& options, const Sink& sink, const Sink& notice) {
+void answer_one(const Settings& row, const RunOptions& options, const Sink& sink, const Sink& notice,
+                CheckTally& tally) {
     const Prediction prediction = predict(row.make_case());
+    const bool table_alone =
+        options.format == Format::table && options.paths.empty() && options.extras.empty() && !options.ladder;
+    if (table_alone) return sink(answer_table(prediction, options.style));
+    Json answer = answer_of(prediction, options);
+    const ExtraResults results = add_extras(answer, row, options.extras, options.jobs, true);
+    tally.add(results.checks);
     if (!options.paths.empty()) {
-        const Json answer = answer_of(prediction, options);
-        for (const std::string& path : options.paths) sink(value_text(value_at(answer, path)) + "\n");
+        for (const std::string& path : options.paths) {
+            sink(value_text(value_at(answer, json_path(answer, path))) + "\n");
+        }
         for (const Warning& warning : prediction.warnings) notice(warning.message);
         return;
     }
     switch (options.format) {
         case Format::table:
             return sink(answer_table(prediction, options.style) +
+                        extras_sections(answer, options.extras, results, options.style) +
                         (options.ladder ? ladder_section(*options.ladder, options.style) : ""));
         case Format::json:
-            return sink(json_text(answer_of(prediction, options), 2) + "\n");
+            return sink(json_text(answer, 2) + "\n");
         case Format::jsonl:
-            return sink(json_text(answer_of(prediction, options)) + "\n");
+            return sink(json_text(answer) + "\n");
         case Format::csv:
             break;
     }
     if (prediction.profile) return sink(profile_csv(*prediction.profile));
     const RowWriter writer(options, cell_entries(row), row.has(Key::population), passage_entries(row));
-    sink(writer.head() + writer.csv_row(answer_object(prediction)));
+    sink(writer.head() + writer.csv_row(answer));
 }
 
 struct SweepRow {
     Settings settings;
     std::optional<Prediction> prediction;
     std::string error;
-    std::string text;
+    ExtraResults extras;
 };
 
-void write_table(const Sweep& sweep, const RunOptions& options, const Sink& sink, RunResult& result) {
+void write_table(const Sweep& sweep, const RunOptions& options, const Sink& sink, RunResult& result,
+                 CheckTally& tally) {
     constexpr std::size_t most_rows = 10000;  // a table is held whole to align it
     if (sweep.size() > most_rows) {
         throw UsageError("--format: a table holds at most 10000 rows and the sweep has " +
                              std::to_string(sweep.size()) + "; use --format csv or jsonl",
                          "--format");
     }
-    SweepTable table(sweep.swept());
+    SweepTable table(sweep.swept(), !options.extras.checks.empty());
     std::vector<SweepRow> rows(sweep.size());
     for_each_index(rows.size(), options.jobs, [&](std::size_t i) {
         rows[i].settings = sweep.row(i);
@@ -85,11 +97,17 @@ void write_table(const Sweep& sweep, const RunOptions& options, const Sink& sink
             rows[i].prediction = predict(rows[i].settings.make_case());
         } catch (const Error& e) {
             rows[i].error = e.what();
+            rows[i].extras = no_extras(options.extras);
+            return;
         }
+        if (options.extras.empty()) return;
+        Json answer = answer_object(*rows[i].prediction);
+        rows[i].extras = add_extras(answer, rows[i].settings, options.extras, 1, false);
     });
     for (const SweepRow& row : rows) {
+        tally.add(row.extras.checks);
         if (row.prediction) {
-            table.add(row.settings, *row.prediction);
+            table.add(row.settings, *row.prediction, verdict(row.extras.checks));
         } else {
             table.add_refusal(row.settings, row.error);
             ++result.refused;
@@ -103,9 +121,11 @@ void write_table(const Sweep& sweep, const RunOptions& options, const Sink& sink
 
 RunResult run_sweep(const Sweep& sweep, const RunOptions& options, const Sink& sink, const Sink& notice) {
     RunResult result;
+    CheckTally tally(options.extras.checks);
     if (sweep.swept().empty()) {
-        answer_one(sweep.fixed(), options, sink, notice);
+        answer_one(sweep.fixed(), options, sink, notice, tally);
         result.rows = 1;
+        result.failed_checks = tally.lines();
         return result;
     }
     const bool has_lists =
@@ -114,8 +134,14 @@ RunResult run_sweep(const Sweep& sweep, const RunOptions& options, const Sink& s
         throw UsageError("--profile: a sweep carries profiles in json and jsonl only; choose one of them",
                          "--profile");
     }
+    if (options.extras.uncertainty.wanted && options.format == Format::table && options.paths.empty()) {
+        throw UsageError(
+            "--uncertainty: a sweep shows spreads in csv, json and jsonl; choose one of them, or --get",
+            "--uncertainty");
+    }
     if (options.format == Format::table && options.paths.empty()) {
-        write_table(sweep, options, sink, result);
+        write_table(sweep, options, sink, result, tally);
+        result.failed_checks = tally.lines();
         return result;
     }
 
@@ -134,6 +160,7 @@ RunResult run_sweep(const Sweep& sweep, const RunOptions& options, const Sink& s
         for (std::size_t i = 0; i < count; ++i) {
             sink(writer.placed(texts[i].text, begin + i));
             result.refused += texts[i].refused ? 1 : 0;
+            tally.add(texts[i].extras.checks);
         }
         result.rows += count;
         result.read += count;
@@ -142,6 +169,7 @@ RunResult run_sweep(const Sweep& sweep, const RunOptions& options, const Sink& s
         if (result.interrupted) break;
     }
     if (!(options.keep && result.interrupted)) sink(writer.tail());
+    result.failed_checks = tally.lines();
     return result;
 }
 

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/extras.hpp"
 #include "io/ladder_answer.hpp"
 #include "io/settings.hpp"
 #include "io/sweep.hpp"
@@ -26,12 +27,14 @@ struct RunResult {
     std::size_t refused = 0;  ///< of them
     std::size_t read = 0;     ///< rows of the input, empty ones too
     bool interrupted = false;
-    Format format = Format::table;  ///< as answered
+    Format format = Format::table;           ///< as answered
+    std::vector<std::string> failed_checks;  ///< a line for each check that does not hold everywhere
 };
 
 struct RunOptions {
     Format format = Format::table;
     std::vector<std::string> paths;  ///< of `--get`: print these values alone
+    Extras extras;
     TableStyle style;
     std::optional<LadderAnswer> ladder = {};  ///< which model answers, and why
     unsigned jobs = 1;
@@ -40,6 +43,7 @@ struct RunOptions {
         {};  ///< where many rows go on: those read are passed over, and their answers stand already
     std::function<void(const RunResult&)> keep = {};  ///< called now and then between two rows
 };
+
 /// Answers a question or a sweep. `notice` gets the warnings of a single question asked with `--get`.
 RunResult run_sweep(const Sweep& sweep, const RunOptions& options, const Sink& sink, const Sink& notice);
 

@@ -6,6 +6,7 @@
 
 #include "bioprint/io/presets.hpp"
 #include "io/ink_settings.hpp"
+#include "io/spread_text.hpp"
 
 namespace bioprint {
 namespace {
@@ -166,8 +167,12 @@ void Settings::set(Key key, std::string_view text, std::string_view origin, Numb
         std::vector<double> numbers = parse_quantity_list(text, *info.dimension, origin, style);
         claim(key, origin).numbers = std::move(numbers);
     } else if (info.dimension) {
-        const double value = parse_quantity(text, *info.dimension, origin, style);
-        claim(key, origin).number = value;
+        const std::optional<SpreadQuantity> spread =
+            key == Key::profile ? std::nullopt : parse_spread(text, *info.dimension, origin, style);
+        const double value = spread ? spread->value : parse_quantity(text, *info.dimension, origin, style);
+        SettingValue& setting = claim(key, origin);
+        setting.number = value;
+        if (spread) setting.deviation = spread->deviation;
     } else if (key == Key::offset) {
         std::vector<CellPosition> positions;
         for (const Offset& o : parse_offsets(text, origin, style))
@@ -197,6 +202,12 @@ void Settings::set_number(Key key, double value, std::string_view origin) {
 
 bool Settings::empty() const {
     return std::none_of(values_.begin(), values_.end(), [](const auto& value) { return value.has_value(); });
+}
+
+bool Settings::has_deviation() const {
+    return std::any_of(values_.begin(), values_.end(), [](const auto& value) {
+        return value && value->deviation && *value->deviation > 0.0;
+    });
 }
 
 Settings Settings::over(const Settings& defaults) const {

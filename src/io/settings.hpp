@@ -65,6 +65,7 @@ std::optional<Key> find_key(std::string_view name);
 
 struct SettingValue {
     double number = 0.0;
+    std::optional<double> deviation = {};  ///< standard deviation of the number, where it was given
     std::string text;
     std::vector<CellPosition> positions;
     std::vector<double> numbers;
@@ -81,6 +82,8 @@ class Settings {
     [[nodiscard]] bool has(Key key) const { return values_[static_cast<std::size_t>(key)].has_value(); }
     [[nodiscard]] const SettingValue& at(Key key) const { return *values_[static_cast<std::size_t>(key)]; }
     [[nodiscard]] bool empty() const;
+    /// Whether a value was given with its standard deviation.
+    [[nodiscard]] bool has_deviation() const;
 
     /// These settings where given, `defaults` elsewhere.
     /// One of radius, diameter and needle replaces the others, as does one of the four that drive the flow; an ink

@@ -6,7 +6,9 @@
 
 #include "bioprint/errors.hpp"
 #include "bioprint/io/number_format.hpp"
+#include "io/answer_checks.hpp"
 #include "io/answer_object.hpp"
+#include "io/answer_path.hpp"
 #include "io/ladder_answer.hpp"
 #include "io/row_answer.hpp"
 #include "io/table.hpp"
@@ -234,20 +236,26 @@ Json simulated_answer(const Prediction& prediction, const Comparison& comparison
     return answer;
 }
 
-void write(const Prediction& prediction, const Comparison& comparison, const SimulationQuestion& question,
-           const RunOptions& options, const Sink& sink) {
-    if (options.format == Format::table && options.paths.empty()) {
-        return sink(answer_table(prediction, options.style) +
-                    simulation_table(comparison, question, options.style) +
-                    (options.ladder ? ladder_section(*options.ladder, options.style) : ""));
-    }
+/// Returns a line for each check that does not hold.
+std::vector<std::string> write(const Prediction& prediction, const Comparison& comparison,
+                               const SimulationQuestion& question, const Settings& settings,
+                               const RunOptions& options, const Sink& sink) {
     Json answer = simulated_answer(prediction, comparison, question);
     if (options.ladder) answer["choice"] = ladder_object(*options.ladder);
+    const ExtraResults results = add_extras(answer, settings, options.extras, options.jobs, true);
     if (!options.paths.empty()) {
-        for (const std::string& path : options.paths) sink(value_text(value_at(answer, path)) + "\n");
-        return;
+        for (const std::string& path : options.paths) {
+            sink(value_text(value_at(answer, json_path(answer, path))) + "\n");
+        }
+    } else if (options.format == Format::table) {
+        sink(answer_table(prediction, options.style) + simulation_table(comparison, question, options.style) +
+             extras_sections(answer, options.extras, results, options.style));
+    } else {
+        sink(json_text(answer, options.format == Format::json ? 2 : -1) + "\n");
     }
-    sink(json_text(answer, options.format == Format::json ? 2 : -1) + "\n");
+    CheckTally tally(options.extras.checks);
+    tally.add(results.checks);
+    return tally.lines();
 }
 
 /// Why a run that came to its end is not to be believed; empty when it is.
@@ -381,9 +389,9 @@ double resolution_of(const SimulationQuestion& question) {
     return 6.0;
 }
 
-void answer_with_simulation(const Settings& settings, const SimulationQuestion& question,
-                            const RunOptions& options, SimulationOptions simulation, const Sink& sink,
-                            SimulationFiles* files) {
+std::vector<std::string> answer_with_simulation(const Settings& settings, const SimulationQuestion& question,
+                                                const RunOptions& options, SimulationOptions simulation,
+                                                const Sink& sink, SimulationFiles* files) {
     if (options.format == Format::csv) {
         throw UsageError("--format: a simulation is answered as table, json or jsonl", "--format");
     }
@@ -404,6 +412,7 @@ void answer_with_simulation(const Settings& settings, const SimulationQuestion& 
     };
     if (files != nullptr) files->attach(simulation, question.snapshots);
     std::string short_of;
+    std::vector<std::string> failed;
     try {
         const Comparison comparison =
             remarked(question.tolerance ? refined(prediction, chosen.scene, simulation, *question.tolerance)
@@ -414,15 +423,16 @@ void answer_with_simulation(const Settings& settings, const SimulationQuestion& 
             files->write_series(comparison.run.series);
             files->write_answer(json_text(simulated_answer(prediction, comparison, question), 2) + "\n");
         }
-        write(prediction, comparison, question, options, sink);
+        failed = write(prediction, comparison, question, settings, options, sink);
         short_of = beyond_tolerance(comparison.run, question);
     } catch (const SimulationIncomplete& e) {
         if (files != nullptr) files->write_series(e.result().series);
-        write(prediction, remarked(compare(prediction, e.result())), question, options, sink);
+        write(prediction, remarked(compare(prediction, e.result())), question, settings, options, sink);
         throw;
     }
     // A run that could not be refined to the tolerance is an answer, but not the one asked for.
     if (!short_of.empty()) throw SimulationIncomplete(short_of, {});
+    return failed;
 }
 
 }  // namespace bioprint

@@ -36,10 +36,11 @@ ChosenScene choose_scene(const SimulationQuestion& question, const Prediction& p
 double resolution_of(const SimulationQuestion& question);
 
 /// Predicts, simulates and writes the answer. What an interrupted run had is written before its error goes
-/// on. `files`, where there are any, keep the run's state, its series and its answer.
+/// on. `files`, where there are any, keep the run's state, its series and its answer. Returns a line for each
+/// check that does not hold.
 /// @throws SimulationIncomplete  and what predict() and simulate() throw
-void answer_with_simulation(const Settings& settings, const SimulationQuestion& question,
-                            const RunOptions& options, SimulationOptions simulation, const Sink& sink,
-                            SimulationFiles* files = nullptr);
+std::vector<std::string> answer_with_simulation(const Settings& settings, const SimulationQuestion& question,
+                                                const RunOptions& options, SimulationOptions simulation,
+                                                const Sink& sink, SimulationFiles* files = nullptr);
 
 }  // namespace bioprint

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "bioprint/errors.hpp"
+#include "io/spread_text.hpp"
 
 namespace bioprint {
 namespace {
@@ -22,6 +23,15 @@ std::vector<std::string> split_names(std::string_view text) {
 void Sweep::add(Key key, std::string_view text, std::string_view origin) {
     const KeyInfo& info = info_of(key);
     if (!info.sweeps) return fixed_.set(key, text, origin);
+    if (info.dimension && has_spread(text)) {
+        if (text.find_first_of(",:") != std::string_view::npos) {
+            throw UsageError(std::string(origin) +
+                                 ": a list or range takes no ±; sweep another option, or call once "
+                                 "for each value",
+                             std::string(origin));
+        }
+        return fixed_.set(key, text, origin);
+    }
 
     Axis axis{.key = key, .origin = std::string(origin), .numbers = {}, .names = {}};
     if (info.dimension) {

@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "bioprint/io/number_format.hpp"
-#include "io/published_limits.hpp"
 #include "io/ink_text.hpp"
+#include "io/published_limits.hpp"
 
 namespace bioprint {
 namespace {
@@ -334,7 +334,7 @@ std::vector<std::string> SweepTable::label_cells(const Settings& row) const {
     return cells;
 }
 
-void SweepTable::add(const Settings& row, const Prediction& prediction) {
+void SweepTable::add(const Settings& row, const Prediction& prediction, const std::string& verdict) {
     std::vector<std::string> cells = label_cells(row);
     const double in_nozzle = nozzle_stress(prediction);
     const std::optional<double> at_exit = exit_stress(prediction);
@@ -344,6 +344,7 @@ void SweepTable::add(const Settings& row, const Prediction& prediction) {
     cells.push_back(lab(prediction.exit.elongational_stress, Dimension::pressure));
     cells.push_back(lab(in_nozzle, Dimension::pressure));
     cells.push_back(at_exit ? lab(*at_exit, Dimension::pressure) : "–");
+    if (checks_) cells.push_back(verdict);
     rows_.push_back(std::move(cells));
     for (const Warning& warning : prediction.warnings) {
         if (std::find(notes_.begin(), notes_.end(), warning.code) == notes_.end())
@@ -353,7 +354,7 @@ void SweepTable::add(const Settings& row, const Prediction& prediction) {
 
 void SweepTable::add_refusal(const Settings& row, const std::string& message) {
     std::vector<std::string> cells = label_cells(row);
-    cells.resize(swept_.size() + 6, "–");
+    cells.resize(swept_.size() + 6 + (checks_ ? 1 : 0), "–");
     rows_.push_back(std::move(cells));
     notes_.push_back(message);
 }
@@ -372,6 +373,10 @@ std::string SweepTable::text(TableStyle style) const {
                                       {"cell stress", "at exit"}}) {
         rows[0].push_back(top);
         rows[1].push_back(bottom);
+    }
+    if (checks_) {
+        rows[0].emplace_back("checks");
+        rows[1].emplace_back();
     }
     rows.insert(rows.end(), rows_.begin(), rows_.end());
     std::string out = grid(rows, 0);

@@ -28,14 +28,17 @@ std::string answer_table(const Prediction& prediction, TableStyle style);
 class SweepTable {
   public:
     /// @param swept  the keys that change from row to row
-    explicit SweepTable(std::vector<Key> swept) : swept_(std::move(swept)) {}
-    void add(const Settings& row, const Prediction& prediction);
+    /// @param checks  a last column says whether the checks hold
+    explicit SweepTable(std::vector<Key> swept, bool checks = false)
+        : swept_(std::move(swept)), checks_(checks) {}
+    void add(const Settings& row, const Prediction& prediction, const std::string& verdict = {});
     void add_refusal(const Settings& row, const std::string& message);
     [[nodiscard]] std::string text(TableStyle style) const;
 
   private:
     std::vector<std::string> label_cells(const Settings& row) const;
     std::vector<Key> swept_;
+    bool checks_;
     std::vector<std::vector<std::string>> rows_;
     std::vector<std::string> notes_;
 };

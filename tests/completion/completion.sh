@@ -39,6 +39,10 @@ expect '' --radius 5
 expect '' 50um
 expect '--version' --ink alginate-2.5 --vers
 expect '' --cell name
+expect 'design' des
+expect '--solve' design --sol
+expect 'alpha' design --solve al
+expect '--check' --che
 
 expect 'fit' fi
 expect 'rows.csv' fit ro

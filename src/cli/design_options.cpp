@@ -1,0 +1,73 @@
+#include "cli/design_options.hpp"
+
+namespace bioprint {
+namespace {
+
+bool drives(Key key) {
+    return key == Key::flow_rate || key == Key::velocity || key == Key::pressure ||
+           key == Key::pressure_gradient;
+}
+
+bool sizes(Key key) {
+    return key == Key::radius || key == Key::diameter || key == Key::needle;
+}
+
+/// What is sought cannot be given.
+void refuse_given(Key sought, const Arguments& arguments, Problems& problems) {
+    for (const auto& [key, text] : arguments.given) {
+        if (key != sought && !(drives(key) && drives(sought)) && !(sizes(key) && sizes(sought))) continue;
+        const std::string name = "--" + std::string(info_of(key).option);
+        const std::string what(info_of(sought).option);
+        problems.add(name + ": cannot be given where " + what + " is sought; leave one of the two out", name);
+    }
+}
+
+}  // namespace
+
+CLI::App* add_design(CLI::App& app, RawDesign& raw) {
+    CLI::App* design = app.add_subcommand("design", "the printing parameter that keeps limits");
+    design->fallthrough();
+    design->footer(
+        "\nEvery option of a prediction sets the rest of the question: bioprint-predict --help.\n"
+        "Example:\n"
+        "  bioprint-predict design --solve flowrate --limit 'nozzle.stress_max<500Pa' --radius 100um\n"
+        "Exit status 7: no value keeps the limits; the answer is at the closest.");
+    design
+        ->add_option("--solve", raw.sought,
+                     "what is sought: radius, flowrate, velocity, pressure, pressure-gradient or alpha")
+        ->type_name("WORD");
+    design->add_option("--limit", raw.limits, "what to keep, such as 'population.p95<2kPa'; may be repeated")
+        ->type_name("EXPR")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    design->add_option("--range", raw.range, "where to look for it, such as 1uL/h:1mL/h")
+        ->type_name("LOW:HIGH");
+    return design;
+}
+
+void collect_design(const RawDesign& raw, Arguments& arguments, Problems& problems) {
+    if (!raw.sought) {
+        problems.add("--solve: is missing; it takes radius, flowrate, velocity, pressure or alpha",
+                     "--solve");
+    }
+    if (raw.limits.empty()) {
+        problems.add("--limit: is missing; it takes what to keep, such as 'nozzle.stress_max<2kPa'",
+                     "--limit");
+    }
+    if (arguments.batch || arguments.simulation || arguments.history || !arguments.sweep.swept().empty()) {
+        problems.add("design: one question at a time; leave out --batch, --simulate, --history and lists");
+    }
+    std::vector<Check> limits;
+    for (const std::string& text : raw.limits) {
+        problems.collect([&] { limits.push_back(parse_check(text, "--limit")); });
+    }
+    problems.collect([&] {
+        if (!raw.sought) return;
+        const Key sought = sought_key(*raw.sought);
+        refuse_given(sought, arguments, problems);
+        arguments.design = DesignQuestion{.sought = sought, .limits = limits};
+        if (raw.range) arguments.design->range = parse_range(*raw.range, sought);
+    });
+}
+
+}  // namespace bioprint

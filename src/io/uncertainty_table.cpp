@@ -1,0 +1,119 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "bioprint/io/number_format.hpp"
+#include "io/answer_path.hpp"
+#include "io/table.hpp"
+#include "io/uncertainty.hpp"
+
+namespace bioprint {
+namespace {
+
+struct Shown {
+    const char* path;
+    const char* label;
+};
+constexpr std::array<Shown, 9> shown = {{{"nozzle.flow_rate", "flow rate"},
+                                         {"nozzle.pressure_gradient", "pressure gradient"},
+                                         {"nozzle.pressure_drop", "pressure drop"},
+                                         {"nozzle.stress_max", "stress at the wall"},
+                                         {"nozzle.residence_time", "residence time"},
+                                         {"exit.elongational_stress", "elongational stress"},
+                                         {"cells.nozzle.stress.von_mises", "cell, in the nozzle"},
+                                         {"cells.exit.stress.von_mises", "cell, at the exit"},
+                                         {"population.p95", "95 % of all cells"}}};
+
+std::string percent(double part) {
+    if (part < 0.005) return "0 %";
+    return format_lab(100.0 * part, Dimension::dimensionless, part < 0.0995 ? 1 : 2).number + " %";
+}
+
+/// The statistics of a number; none where it has no spread.
+const Json* spread_of(const Json& answer, std::string_view path) {
+    const Json* place = &answer.at("uncertainty");
+    const std::string real = json_path(answer, path);
+    for (std::size_t begin = 0; begin <= real.size();) {
+        const std::size_t end = std::min(real.find('.', begin), real.size());
+        const std::string name = real.substr(begin, end - begin);
+        if (place->is_array()) {
+            const bool digits = !name.empty() && name.find_first_not_of("0123456789") == std::string::npos;
+            const std::size_t index = digits ? std::stoul(name) : place->size();
+            if (index >= place->size()) return nullptr;
+            place = &(*place)[index];
+        } else if (place->is_object() && place->contains(name)) {
+            place = &(*place)[name];
+        } else {
+            return nullptr;
+        }
+        begin = end + 1;
+    }
+    const bool spread = place->is_object() && place->at("standard_deviation").get<double>() > 0.0;
+    return spread ? place : nullptr;
+}
+
+std::string inputs_line(const Json& input) {
+    const KeyInfo& info =
+        info_of(find_key(input.at("name").get_ref<const std::string&>()).value_or(Key::radius));
+    const LabUnit& unit = choose_lab_unit(input.at("mean").get<double>(), *info.dimension);
+    std::string text = "  " + input.at("name").get<std::string>() + " " +
+                       format_in(input.at("mean").get<double>(), unit, 4) + " ± " +
+                       format_in(input.at("standard_deviation").get<double>(), unit, 2);
+    if (!unit.name.empty()) text += " " + std::string(unit.name);
+    return text + " (" + input.at("distribution").get<std::string>() + ")\n";
+}
+
+/// Which input to measure better, for the cell's stress at the exit or what comes nearest to it.
+std::string advice(const Json& answer) {
+    for (const Shown& row : {shown[8], shown[7], shown[6], shown[3]}) {
+        const Json* const spread = spread_of(answer, row.path);
+        if (spread == nullptr) continue;
+        const Json& shares = spread->at("first_order");
+        std::string best;
+        double largest = 0.0;
+        for (const auto& item : shares.items()) {
+            if (item.value().get<double>() <= largest) continue;
+            largest = item.value().get<double>();
+            best = item.key();
+        }
+        if (shares.size() < 2 || best.empty()) return {};
+        return "  Most of the spread of '" + std::string(row.label) + "' is that of " + best + ": " +
+               percent(largest) + "\n";
+    }
+    return {};
+}
+
+}  // namespace
+
+std::string uncertainty_section(const Json& answer, TableStyle style) {
+    const Json& uncertainty = answer.at("uncertainty");
+    const std::size_t failed = uncertainty.at("failed").get<std::size_t>();
+    std::string text =
+        "\n" + table_heading("Uncertainty: " + std::to_string(uncertainty.at("samples").get<std::size_t>()) +
+                                 " samples" +
+                                 (failed > 0 ? ", " + std::to_string(failed) + " without an answer" : ""),
+                             style);
+    for (const Json& input : uncertainty.at("inputs")) text += inputs_line(input);
+    std::vector<std::vector<std::string>> spreads = {{"", "mean", "±", "5 %", "50 %", "95 %", ""}};
+    std::vector<std::vector<std::string>> shares = {{"share of the variance by"}};
+    for (const Json& input : uncertainty.at("inputs"))
+        shares[0].push_back(input.at("name").get<std::string>());
+    for (const Shown& row : shown) {
+        const Json* const spread = spread_of(answer, row.path);
+        if (spread == nullptr) continue;
+        const auto number = [&](const char* name) { return spread->at(name).get<double>(); };
+        const LabUnit& unit = choose_lab_unit(number("mean"), dimension_at(row.path));
+        spreads.push_back(
+            {row.label, format_in(number("mean"), unit, 4), format_in(number("standard_deviation"), unit, 3),
+             format_in(number("percentile_5"), unit, 4), format_in(number("percentile_50"), unit, 4),
+             format_in(number("percentile_95"), unit, 4), std::string(unit.name)});
+        shares.push_back({row.label});
+        for (const auto& item : spread->at("first_order").items())
+            shares.back().push_back(percent(item.value().get<double>()));
+    }
+    text += table_grid(spreads, 1);
+    if (shares[0].size() > 2) text += "\n" + table_grid(shares, 1) + advice(answer);
+    return text;
+}
+
+}  // namespace bioprint

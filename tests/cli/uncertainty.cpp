@@ -1,0 +1,99 @@
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "cli/command.hpp"
+#include "support/schema.hpp"
+
+using bioprint::test::Outcome;
+using bioprint::test::run;
+using bioprint::testing::schema_violations;
+using nlohmann::json;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("uncertainty: an input with its spread adds that of every number to the answer") {
+    const Outcome outcome = run("--alpha 0.75±0.05 --json");
+    CHECK(outcome.status == 0);
+    const json answer = json::parse(outcome.out);
+    CHECK(schema_violations(answer, "answer") == "");
+    CHECK(answer["uncertainty"]["inputs"].size() == 1);
+    CHECK(answer["uncertainty"]["samples"] == 1024);
+    CHECK(answer["uncertainty"]["cells"].size() == answer["cells"].size());
+    CHECK(answer["uncertainty"]["nozzle"]["stress_max"]["first_order"]["alpha"].get<double>() > 0.95);
+    CHECK(answer["uncertainty"]["nozzle"]["pressure_drop"] == nullptr);
+    CHECK(answer["nozzle"] == json::parse(run("--alpha 0.75 --json").out)["nozzle"]);
+}
+
+TEST_CASE("uncertainty: the presets' scatter with a table of shares and advice") {
+    const Outcome outcome = run("--uncertainty");
+    CHECK(outcome.status == 0);
+    CHECK(contains(outcome.out, "Uncertainty: 1024 samples"));
+    CHECK(contains(outcome.out, "eta0 10 ± 1.5 Pa s (log-normal)"));
+    CHECK(contains(outcome.out, "share of the variance by"));
+    CHECK(contains(outcome.out, "Most of the spread of"));
+}
+
+TEST_CASE("uncertainty: the bytes do not depend on the threads") {
+    for (const char* format : {"json", "csv", "table"}) {
+        const std::string call = "--uncertainty --radius 50±2um --samples 64 --format " + std::string(format);
+        CHECK(run(call + " -j 1").out == run(call + " -j 4").out);
+    }
+}
+
+TEST_CASE("uncertainty: paths of the spread can be got and checked and stand in csv columns") {
+    const std::string q = "-q --uncertainty --model steady ";
+    const double high = std::stod(run(q + "--get uncertainty.nozzle.stress_max.percentile_95").out);
+    CHECK(high > 450.0);
+    CHECK(run(q + "--check 'uncertainty.nozzle.stress_max.percentile_95<10kPa'").status == 0);
+    CHECK(run(q + "--check 'uncertainty.nozzle.stress_max.percentile_95<440Pa'").status == 7);
+    CHECK(run(q + "--check 'uncertainty.nozzle.stress_max.first_order.alpha<1kPa'").status == 2);
+    const std::string csv = run(q + "--format csv --alpha 0.5,0.7").out;
+    CHECK(contains(csv, "uncertainty.nozzle.stress_max.standard_deviation [Pa]"));
+    CHECK(contains(csv, "uncertainty.cells.0.stress.von_mises.percentile_5 [Pa]"));
+    CHECK(run(q + "--batch - ", csv).status == 0);
+}
+
+TEST_CASE("uncertainty: rows of a batch carry spreads of their own") {
+    const Outcome outcome = run("-q --batch - --format jsonl --model steady --samples 16",
+                                "alpha,radius\n0.75±0.05,50um\n0.7,50±1um\n0.7,50um\n");
+    CHECK(outcome.status == 0);
+    std::istringstream lines(outcome.out);
+    std::vector<json> rows;
+    for (std::string line; std::getline(lines, line);) rows.push_back(json::parse(line));
+    REQUIRE(rows.size() == 3);
+    CHECK(rows[0]["uncertainty"]["inputs"][0]["name"] == "alpha");
+    CHECK(rows[1]["uncertainty"]["inputs"][0]["name"] == "radius");
+    CHECK_FALSE(rows[2].contains("uncertainty"));
+    for (const json& row : rows) CHECK(schema_violations(row, "answer") == "");
+}
+
+TEST_CASE("uncertainty: with the population the spread of its quantiles") {
+    const Outcome outcome = run("-q --uncertainty --population --samples 8 --json");
+    CHECK(outcome.status == 0);
+    const json answer = json::parse(outcome.out);
+    CHECK(schema_violations(answer, "answer") == "");
+    CHECK(answer["uncertainty"]["population"]["peak_stress"]["percentile_95"]["standard_deviation"]
+              .get<double>() > 0.0);
+}
+
+TEST_CASE("uncertainty: what is wrong is named") {
+    CHECK(run("--alpha 0.75±").status == 2);
+    CHECK(contains(run("--alpha 0.75±").err, "behind the ±"));
+    CHECK(run("--alpha 0.3,0.75±0.05").status == 2);
+    CHECK(contains(run("--alpha 0.3,0.75±0.05").err, "a list or range takes no ±"));
+    CHECK(run("--radius 50um±1s").status == 2);
+    CHECK(run("--samples 64").status == 2);
+    CHECK(contains(run("--uncertainty --alpha 0.3,0.5").err, "choose one of them"));
+    CHECK(run("--uncertainty --samples 3").status == 2);
+    CHECK(run("--uncertainty --samples many").status == 2);
+}
