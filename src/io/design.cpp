@@ -49,7 +49,7 @@ class DesignSearch {
             start = low_ + 0.25 * (high_ - low_);
         }
         start_ = std::isfinite(start) ? std::clamp(start, low_, high_) : low_;
-        with_value(base, question.sought, line_.value(start_)).make_case();
+        (void)with_value(base, question.sought, line_.value(start_)).make_case();  // says what else is wrong
         tolerance_ = line_.costly() ? 1e-5 : 1e-9;
         first_step_ = question.sought == Key::alpha ? 0.1 : std::numbers::ln2;
     }

@@ -89,7 +89,12 @@ DesignLine::Point DesignLine::predicted(double value) const {
 
 double usual_value(const Case& asked, Key sought) {
     if (sought == Key::radius) return asked.radius;
-    if (sought == Key::alpha) return asked.ink.law.alpha;
+    if (sought == Key::alpha) {
+        if (const auto* cross = std::get_if<CrossInk>(&asked.ink.law)) return cross->alpha;
+        throw UsageError(
+            "--solve: alpha belongs to the Cross law and this ink is of another; seek a radius or a flow",
+            "--solve");
+    }
     Case flow = asked;
     flow.transient = false;
     flow.population = false;
