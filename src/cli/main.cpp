@@ -224,7 +224,8 @@ int run(Arguments arguments) {
         history.commit();
     }
     if (arguments.simulation) {
-        RunResult result{.rows = 1};
+        RunResult result;
+        result.rows = 1;
         try {
             result.failed_checks = run_simulation(arguments, options, sink);
         } catch (const SimulationIncomplete& e) {

@@ -117,7 +117,8 @@ TEST_CASE("exit axis: the table gives the simulated exit flows and those held ou
     for (const SimulatedExit& ink : inks) {
         if (ink.remainder > 0.0) continue;
         const NozzleFlow flow = NozzleFlow::from_velocity(
-            {.eta0 = 10.0, .time_constant = ink.rate * radius / 5e-3, .alpha = ink.alpha}, radius, 5e-3);
+            CrossInk{.eta0 = 10.0, .time_constant = ink.rate * radius / 5e-3, .alpha = ink.alpha}, radius,
+            5e-3);
         const ExitAxis axis(flow);
         double velocity = 0.0;
         double slope = 0.0;

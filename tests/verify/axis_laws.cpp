@@ -24,7 +24,8 @@ AxisFlow exit_flow(double z) {
 }
 
 AxisPassage pass(const Ink& ink, const AxisEffects& effects = {}) {
-    return carry_along_axis(exit_flow, ink, cell, {.from = -200e-6, .to = 375e-6}, effects);
+    const auto flow = [](double z) { return exit_flow(z); };
+    return carry_along_axis(flow, ink, cell, {.from = -200e-6, .to = 375e-6}, effects);
 }
 
 }  // namespace

@@ -75,7 +75,7 @@ double tube_error(double radius, double nu, bool half) {
 double ink_error(double alpha, double radius) {
     const double dx = 50e-6 / radius;
     const NozzleFlow flow = NozzleFlow::from_velocity(
-        {.eta0 = 10.0, .eta_inf = 0.0, .time_constant = 0.05, .alpha = alpha}, 50e-6, 5e-3);
+        CrossInk{.eta0 = 10.0, .eta_inf = 0.0, .time_constant = 0.05, .alpha = alpha}, 50e-6, 5e-3);
     const double dt = 0.02 * dx / 5e-3;
     const double nu0 = 10.0;
     D3q19<double> lattice({.nx = 16,

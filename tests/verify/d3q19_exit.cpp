@@ -66,7 +66,8 @@ ExitFlow summarise(const AxisStress& axis) {
 
 ExitFlow run_exit(double radius, double alpha, double nu0, int before, int behind) {
     const NozzleFlow flow = NozzleFlow::from_velocity(
-        {.eta0 = eta0_si, .eta_inf = 0.0, .time_constant = 0.05, .alpha = alpha}, radius_si, velocity_si);
+        CrossInk{.eta0 = eta0_si, .eta_inf = 0.0, .time_constant = 0.05, .alpha = alpha}, radius_si,
+        velocity_si);
     const double u_lu = 0.01;
     const double dx = radius_si / radius;
     const double dt = u_lu / velocity_si * dx;

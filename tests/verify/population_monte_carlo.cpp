@@ -118,8 +118,8 @@ TEST_CASE(
     "population: cells drawn at random and followed by the general model have its mean and percentiles") {
     for (const double alpha : {0.0, 0.75}) {
         CAPTURE(alpha);
-        const NozzleFlow flow =
-            NozzleFlow::from_velocity({.eta0 = 10.0, .time_constant = 0.05, .alpha = alpha}, radius, 5e-3);
+        const NozzleFlow flow = NozzleFlow::from_velocity(
+            CrossInk{.eta0 = 10.0, .time_constant = 0.05, .alpha = alpha}, radius, 5e-3);
         const Population all =
             population(flow, {.cell_radius = cell_radius, .shear_modulus = modulus, .length = length});
         const ExitField field(flow);
