@@ -31,7 +31,7 @@ class DisturbedViscosity {
     [[nodiscard]] double operator()(double elongation, double disturbance) const;
 
   private:
-    const Ink& ink_;
+    Ink ink_;
     double least_rate_;
     bool newtonian_ = false;
     std::optional<ThinningResponse> thinning_;

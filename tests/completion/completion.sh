@@ -42,7 +42,7 @@ expect '' --cell name
 expect 'design' des
 expect '--solve' design --sol
 expect 'alpha' design --solve al
-expect '--check' --che
+expect '--check --checkpoint-interval' --che
 
 expect 'fit' fi
 expect 'rows.csv' fit ro

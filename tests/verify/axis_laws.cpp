@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "bioprint/cell/axis_passage.hpp"
@@ -63,6 +64,7 @@ TEST_CASE("axis passage: a power-law ink is the limit of inks whose plateau rece
     // The plateau of K is felt below 1/K: a tenth of the rates along the way leaves a few per cent, a thousandth less.
     const double n = 0.5;
     const AxisPassage limit = pass(PowerLawInk{.consistency = 10.0, .flow_index = n});
+    constexpr double settled = 5e-3;  // there the plateau is no longer what tells the two apart
     double before = 1.0;
     for (const double time_constant : {1.0, 100.0, 1e4}) {
         const CarreauYasudaInk ink{.eta0 = 10.0 * std::pow(time_constant, 1.0 - n),
@@ -71,7 +73,7 @@ TEST_CASE("axis passage: a power-law ink is the limit of inks whose plateau rece
                                    .flow_index = n};
         const double off = std::abs(pass(ink).peak.von_mises / limit.peak.von_mises - 1.0);
         MESSAGE("K " << time_constant << " s: " << off);
-        CHECK(off < before);
+        CHECK(off < std::max(before, settled));
         before = off;
     }
     CHECK(before < 0.02);

@@ -59,6 +59,11 @@ TEST_CASE("nozzle laws: a Carreau-Yasuda ink meets 50-digit integrals from K rat
         CAPTURE(ink.transition);
         CAPTURE(ink.flow_index);
         CAPTURE(ink.time_constant * column("shear_rate_max"));
+        // Without a limiting slope the stress comes so near its limit that no double tells the rate any more.
+        if (ink.flow_index == 0.0 &&
+            ink.transition * std::log10(ink.time_constant * column("shear_rate_max")) > 15.0) {
+            continue;
+        }
         const NozzleFlow flow = NozzleFlow::from_velocity(ink, column("radius"), column("velocity_average"));
         for (const auto& [value, expected] : {std::pair(flow.shear_rate_max(), column("shear_rate_max")),
                                               {flow.stress_max(), column("stress_max")},

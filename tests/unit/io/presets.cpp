@@ -94,7 +94,7 @@ TEST_CASE("presets: every ink is physical and has a source") {
     for (const auto& preset : ink_presets()) {
         CAPTURE(preset.name);
         std::visit([](const auto& law) { check_physical(law); }, preset.ink);
-        if (preset.temperature) CHECK(std::abs(*preset.temperature - 20.0) <= 20.0);
+        if (preset.temperature) CHECK(std::abs(*preset.temperature - 30.0) <= 30.0);
         if (preset.shear_rate_range) CHECK(preset.shear_rate_range->min < preset.shear_rate_range->max);
         CHECK(preset.source.size() > 20);
         CHECK((preset.grade == "A" || preset.grade == "B" || preset.grade == "C"));
