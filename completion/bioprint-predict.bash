@@ -24,6 +24,7 @@ _bioprint_predict() {
         --tip) words='steel tapered hypodermic' ;;
         --model) words='ellipsoid steady' ;;
         --simulate) words='auto exit-flow channel exit' ;;
+        --plot-kind) words='overview profile exit cell nomogram' ;;
         --fidelity) words='draft standard fine' ;;
         --list) words='inks cells nozzles' ;;
         --needle) words=$(_bioprint_predict_presets "$program" nozzles) ;;
@@ -32,14 +33,14 @@ _bioprint_predict() {
             words=$(_bioprint_predict_presets "$program" inks)
             mapfile -t COMPREPLY < <(compgen -f -- "$current")
             ;;
-        --batch | --history | -o | --output)
+        --batch | --history | --plot | --report | -o | --output)
             compopt -o filenames 2>/dev/null
             mapfile -t COMPREPLY < <(compgen -f -- "$current")
             return
             ;;
         -R | --radius | --diameter | -Q | --flowrate | --velocity | --pressure-gradient | --pressure | --length | \
             --eta0 | --eta-inf | -K | --time-constant | -a | --alpha | --cell-radius | --shear-modulus | \
-            --poisson-ratio | --viscosity-ratio | --offset | --threshold | --profile | --get | --resolution | -j | --jobs)
+            --poisson-ratio | --viscosity-ratio | --offset | --threshold | --profile | --get | --resolution | --shard | -j | --jobs)
             return # a quantity: nothing to propose
             ;;
         *)
@@ -48,6 +49,7 @@ _bioprint_predict() {
                 --ink --eta0 --eta-inf -K --time-constant -a --alpha
                 --cell --cell-radius --shear-modulus --poisson-ratio --viscosity-ratio --offset
                 --model --population --threshold --profile --batch -f --format --json --get --history -o --output
+                --plot --plot-kind --report --shard
                 -j --jobs -q --quiet -v --verbose --no-color --list --simulate --fidelity --resolution --version -h --help'
             ;;
     esac

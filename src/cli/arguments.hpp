@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/pictures.hpp"
 #include "io/run.hpp"
 #include "io/settings.hpp"
 #include "io/simulation_answer.hpp"
@@ -21,6 +22,8 @@ struct Arguments {
     std::optional<std::string> output;
     std::optional<std::string> list;
     std::optional<std::string> history;
+    PicturesQuestion pictures;
+    std::optional<Shard> shard;
     std::optional<unsigned> jobs;
     std::optional<SimulationQuestion> simulation;
     bool quiet = false;

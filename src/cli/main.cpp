@@ -18,9 +18,11 @@
 #include "cli/arguments.hpp"
 #include "io/batch.hpp"
 #include "io/history.hpp"
+#include "io/pictures.hpp"
 #include "io/preset_list.hpp"
 #include "io/reference_report.hpp"
 #include "io/whole_file.hpp"
+#include "io/workbook.hpp"
 
 // parse → validate → run → print
 
@@ -58,6 +60,7 @@ RunOptions run_options(const Arguments& arguments) {
             .paths = arguments.paths,
             .style = {.color = terminal && !colorless, .quiet = arguments.quiet},
             .jobs = arguments.jobs.value_or(std::max(1U, std::thread::hardware_concurrency())),
+            .shard = arguments.shard,
             .interrupted = &interrupted};
 }
 
@@ -106,7 +109,8 @@ class ProgressLine {
     std::chrono::steady_clock::time_point last_;
 };
 
-void run_simulation(const Arguments& arguments, const RunOptions& options, const Sink& sink) {
+void run_simulation(const Arguments& arguments, const RunOptions& options, const Sink& sink,
+                    Pictures& pictures) {
     ProgressLine line(!arguments.quiet && isatty(STDERR_FILENO) != 0);
     std::mutex lock;  // two resolutions may run at once
     const SimulationOptions simulation{.threads = static_cast<int>(std::min(options.jobs, 2U)),
@@ -116,12 +120,21 @@ void run_simulation(const Arguments& arguments, const RunOptions& options, const
                                                line.show(progress);
                                            },
                                        .cancel = &interrupted};
-    answer_with_simulation(arguments.sweep.fixed(), *arguments.simulation, options, simulation, sink);
+    answer_with_simulation(arguments.sweep.fixed(), *arguments.simulation, options, simulation, sink,
+                           [&](const Prediction& prediction, const Comparison& comparison) {
+                               pictures.draw(prediction, comparison, *arguments.simulation);
+                           });
 }
 
 int run(const Arguments& arguments) {
     WholeFile output(arguments.output.value_or("-"));
-    const Sink sink = [&](std::string_view text) { output.write(text); };
+    std::optional<Workbook> workbook;
+    if (names_workbook(arguments.output.value_or(""))) workbook.emplace();
+    const Sink sink = [&](std::string_view text) { workbook ? workbook->add(text) : output.write(text); };
+    const auto commit = [&] {
+        if (workbook) output.write(workbook->bytes());
+        output.commit();
+    };
     const Sink notice = [&](std::string_view text) {
         if (!arguments.quiet) say(text);
     };
@@ -136,23 +149,26 @@ int run(const Arguments& arguments) {
         history.write(history_csv(arguments.sweep.fixed()));
         history.commit();
     }
+    Pictures pictures(arguments.pictures, arguments.sweep, notice);
     if (arguments.simulation) {
         try {
-            run_simulation(arguments, options, sink);
+            run_simulation(arguments, options, sink, pictures);
         } catch (const SimulationIncomplete& e) {
             output.commit();  // the prediction, and what the simulation had
             say(e.what());
             return interrupted ? status_interrupted : exit_status_of_current();
         }
         output.commit();
+        pictures.commit();
         return 0;
     }
+    pictures.draw(options);
     RunResult result;
     if (arguments.batch) {
         const BatchInput input{.file = *arguments.batch, .defaults = arguments.sweep.fixed()};
         const Sink row_sink = [&](std::string_view text) {
-            output.write(text);
-            output.flush();
+            sink(text);
+            if (!workbook) output.flush();
         };
         result = run_batch(input, arguments.format, options, row_sink, notice);
     } else {
@@ -161,7 +177,8 @@ int run(const Arguments& arguments) {
             say(reference_report(arguments.sweep.fixed()));
     }
     const bool to_file = arguments.output.has_value();
-    if (!(result.interrupted && to_file)) output.commit();
+    if (!(result.interrupted && to_file)) commit();
+    pictures.commit();
     return status_of(result, to_file);
 }
 

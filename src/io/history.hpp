@@ -1,14 +1,21 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "bioprint/cell/axis_passage.hpp"
+#include "bioprint/predict/prediction.hpp"
 #include "io/settings.hpp"
 
-/// `--history`: the centred cell on its way from four nozzle radii before the lip into the strand.
+/// The centred cell's way through the exit, place by place.
 namespace bioprint {
 
-/// CSV: x [m] from the lip, time [s], stretches, von Mises stress, undisturbed fluid stress, exposure.
-/// @throws UsageError, NoSteadyFlow, NotConverged  as predict() and exit_passage()
-std::string history_csv(const Settings& question);
+/// A state every fortieth of the nozzle's radius, from inside the nozzle into the strand.
+/// @param prediction  the answer to `question`, in which something flows
+std::vector<AxisCellState> exit_history(const Case& question, const Prediction& prediction);
+
+/// The same as CSV: x, time, stretches, stress of cell and ink, exposure.
+/// @throws UsageError  nothing flows, and what make_case() and predict() throw
+std::string history_csv(const Settings& settings);
 
 }  // namespace bioprint

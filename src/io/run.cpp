@@ -107,10 +107,10 @@ RunResult run_sweep(const Sweep& sweep, const RunOptions& options, const Sink& s
     }
 
     RowWriter writer(options, cell_entries(sweep.fixed()), sweep.fixed().has(Key::population));
-    sink(writer.head());
-    const std::size_t total = sweep.size();
-    for (std::size_t begin = 0; begin < total; begin += chunk_rows) {
-        const std::size_t count = std::min(chunk_rows, total - begin);
+    if (!options.shard || options.shard->piece == 1) sink(writer.head());
+    const RowRange rows = rows_of(options.shard.value_or(Shard{.piece = 1, .pieces = 1}), sweep.size());
+    for (std::size_t begin = rows.begin; begin < rows.end; begin += chunk_rows) {
+        const std::size_t count = std::min(chunk_rows, rows.end - begin);
         std::vector<RowText> texts(count);
         for_each_index(count, options.jobs, [&](std::size_t i) {
             texts[i] = writer.answer([&] { return sweep.row(begin + i); });

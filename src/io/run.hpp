@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "io/settings.hpp"
+#include "io/shard.hpp"
 #include "io/sweep.hpp"
 #include "io/table.hpp"
 
@@ -23,8 +24,9 @@ using Sink = std::function<void(std::string_view)>;
 struct RunOptions {
     Format format = Format::table;
     std::vector<std::string> paths;  ///< of `--get`: print these values alone
-    TableStyle style;
+    TableStyle style = {};
     unsigned jobs = 1;
+    std::optional<Shard> shard = {};  ///< answer this piece alone; the head stands in the first
     const std::atomic<bool>* interrupted = nullptr;  ///< set by Ctrl-C; what was finished is kept
 };
 

@@ -7,6 +7,7 @@
 #include "bioprint/io/number_format.hpp"
 #include "io/answer_object.hpp"
 #include "io/row_answer.hpp"
+#include "io/simulated_answer.hpp"
 #include "io/table.hpp"
 
 namespace bioprint {
@@ -176,13 +177,7 @@ void write(const Prediction& prediction, const Comparison& comparison, const Sim
         return sink(answer_table(prediction, options.style) +
                     simulation_table(comparison, question, options.style));
     }
-    Json answer = answer_object(prediction);
-    answer["simulation"] = simulation_object(comparison, question);
-    for (const SimulationWarning& warning : comparison.run.warnings) {
-        std::string code = warning.code;
-        std::replace(code.begin(), code.end(), '-', '_');
-        answer["warnings"].push_back({{"code", code}, {"message", warning.message}});
-    }
+    const Json answer = simulated_answer_object(prediction, comparison, question);
     if (!options.paths.empty()) {
         for (const std::string& path : options.paths) sink(value_text(value_at(answer, path)) + "\n");
         return;
@@ -226,6 +221,23 @@ SceneKind scene_of(std::string_view name, const Prediction& prediction) {
     return name == "channel" ? SceneKind::channel : SceneKind::exit;
 }
 
+SimulatedName simulated_name(std::string_view name) {
+    const ValueName& value = label_of(name);
+    return {.label = value.label, .dimension = value.dimension};
+}
+
+Json simulated_answer_object(const Prediction& prediction, const Comparison& comparison,
+                             const SimulationQuestion& question) {
+    Json answer = answer_object(prediction);
+    answer["simulation"] = simulation_object(comparison, question);
+    for (const SimulationWarning& warning : comparison.run.warnings) {
+        std::string code = warning.code;
+        std::replace(code.begin(), code.end(), '-', '_');
+        answer["warnings"].push_back({{"code", code}, {"message", warning.message}});
+    }
+    return answer;
+}
+
 double resolution_of(const SimulationQuestion& question) {
     if (question.resolution) return *question.resolution;
     switch (question.fidelity) {
@@ -240,7 +252,8 @@ double resolution_of(const SimulationQuestion& question) {
 }
 
 void answer_with_simulation(const Settings& settings, const SimulationQuestion& question,
-                            const RunOptions& options, SimulationOptions simulation, const Sink& sink) {
+                            const RunOptions& options, SimulationOptions simulation, const Sink& sink,
+                            const std::function<void(const Prediction&, const Comparison&)>& seen) {
     if (options.format == Format::csv) {
         throw UsageError("--format: a simulation is answered as table, json or jsonl", "--format");
     }
@@ -257,6 +270,7 @@ void answer_with_simulation(const Settings& settings, const SimulationQuestion& 
         const std::string failure = breakdown(comparison.run);
         if (!failure.empty()) throw SimulationIncomplete(failure, comparison.run);
         write(prediction, comparison, question, options, sink);
+        if (seen) seen(prediction, comparison);
     } catch (const SimulationIncomplete& e) {
         write(prediction, compare(prediction, e.result()), question, options, sink);
         throw;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,8 +25,10 @@ double resolution_of(const SimulationQuestion& question);
 
 /// Predicts, simulates and writes the answer. What an interrupted run had is written before its error goes
 /// on.
+/// @param seen  gets prediction and comparison once the answer is written, for a picture or report
 /// @throws SimulationIncomplete  and what predict() and simulate() throw
 void answer_with_simulation(const Settings& settings, const SimulationQuestion& question,
-                            const RunOptions& options, SimulationOptions simulation, const Sink& sink);
+                            const RunOptions& options, SimulationOptions simulation, const Sink& sink,
+                            const std::function<void(const Prediction&, const Comparison&)>& seen = {});
 
 }  // namespace bioprint

@@ -220,7 +220,8 @@ std::string notes_section(const std::vector<Warning>& warnings, TableStyle style
     return out;
 }
 
-/// The largest stress in the nozzle.
+}  // namespace
+
 double nozzle_stress(const Prediction& prediction) {
     double largest = 0.0;
     for (const CellAnswer& cell : prediction.cells) {
@@ -229,7 +230,6 @@ double nozzle_stress(const Prediction& prediction) {
     return largest;
 }
 
-/// The stress at the exit by the better model: carried in time where that was asked for, else steady.
 std::optional<double> exit_stress(const Prediction& prediction) {
     std::optional<double> stress;
     for (const CellAnswer& cell : prediction.cells) {
@@ -239,8 +239,6 @@ std::optional<double> exit_stress(const Prediction& prediction) {
     }
     return stress;
 }
-
-}  // namespace
 
 std::string table_heading(std::string_view text, TableStyle style) {
     return heading(text, style);

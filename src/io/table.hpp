@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,11 @@ struct TableStyle {
 /// A section's heading, and right-aligned columns whose first `left` are left-aligned.
 std::string table_heading(std::string_view text, TableStyle style);
 std::string table_grid(const std::vector<std::vector<std::string>>& rows, std::size_t left);
+
+/// The largest stress of a cell in the nozzle [Pa].
+double nozzle_stress(const Prediction& prediction);
+/// The stress of a cell at the exit by the better model: carried in time where that was asked for, else steady [Pa].
+std::optional<double> exit_stress(const Prediction& prediction);
 
 std::string answer_table(const Prediction& prediction, TableStyle style);
 

@@ -23,6 +23,10 @@ test_packages=(
     libudunits2-dev    # oracle of the unit table
     clang-format clang-tidy
     git jq man-db mandoc python3 shellcheck
+    gnuplot-nox        # draws the pictures
+    libxlsxwriter-dev  # Excel workbooks; optional when building
+    python3-openpyxl   # reads them back
+    parallel           # examples of the manual
 )
 
 # To hunt for crashes with libFuzzer (not part of the test command).
