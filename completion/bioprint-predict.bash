@@ -38,9 +38,15 @@ _bioprint_predict() {
             mapfile -t COMPREPLY < <(compgen -f -- "$current")
             return
             ;;
+        --out | --resume)
+            compopt -o filenames 2>/dev/null
+            mapfile -t COMPREPLY < <(compgen -d -- "$current")
+            return
+            ;;
         -R | --radius | --diameter | -Q | --flowrate | --velocity | --pressure-gradient | --pressure | --length | \
             --eta0 | --eta-inf | -K | --time-constant | -a | --alpha | --cell-radius | --shear-modulus | \
-            --poisson-ratio | --viscosity-ratio | --offset | --threshold | --profile | --get | --resolution | --shard | -j | --jobs)
+            --poisson-ratio | --viscosity-ratio | --offset | --threshold | --profile | --get | --resolution | --shard | \
+            --checkpoint-interval | -j | --jobs)
             return # a quantity: nothing to propose
             ;;
         *)
@@ -50,7 +56,8 @@ _bioprint_predict() {
                 --cell --cell-radius --shear-modulus --poisson-ratio --viscosity-ratio --offset
                 --model --population --threshold --profile --batch -f --format --json --get --history -o --output
                 --plot --plot-kind --report --shard
-                -j --jobs -q --quiet -v --verbose --no-color --list --simulate --fidelity --resolution --version -h --help'
+                -j --jobs -q --quiet -v --verbose --no-color --list --simulate --fidelity --resolution
+                --out --resume --checkpoint-interval --version -h --help'
             ;;
     esac
     local proposals

@@ -6,7 +6,8 @@
 
 #include "bioprint/errors.hpp"
 #include "bioprint/io/answer.hpp"
-#include "io/workbook.hpp"
+#include "cli/long_run.hpp"
+#include "cli/picture_options.hpp"
 
 namespace bioprint {
 namespace {
@@ -38,13 +39,11 @@ struct Raw {
     std::string scene;
     std::string population;
     std::optional<std::string> history;
-    std::optional<std::string> plot;
-    std::optional<std::string> plot_kind;
-    std::optional<std::string> report;
-    std::optional<std::string> shard;
+    RawPictures pictures;
     std::optional<std::string> fidelity;
     std::optional<std::string> resolution;
     bool json = false;
+    RawLongRun long_run;
 };
 
 std::string option_names(const KeyInfo& info) {
@@ -89,19 +88,7 @@ void add_answer_options(CLI::App& app, Raw& raw, Arguments& arguments) {
     app.add_option("--history", raw.history, "write the centred cell's way through the exit there, as CSV")
         ->type_name("FILE")
         ->group(group);
-    app.add_option("--plot", raw.plot, "draw it there: .svg, .png or .pdf; - draws in the terminal")
-        ->type_name("FILE")
-        ->group(group);
-    app.add_option("--plot-kind", raw.plot_kind, "overview, profile, exit, cell or nomogram")
-        ->type_name("KIND")
-        ->group(group);
-    app.add_option("--report", raw.report, "write question, answer and pictures there, as one HTML page")
-        ->type_name("FILE")
-        ->group(group);
-    app.add_option("--shard", raw.shard,
-                   "answer piece K of N of a batch or sweep; joined in order they are the whole")
-        ->type_name("K/N")
-        ->group(group);
+    add_picture_options(app, raw.pictures, group);
     app.add_option("--list", raw.list, "show the presets: inks, cells or nozzles")
         ->type_name("KIND")
         ->group(group);
@@ -220,72 +207,6 @@ void collect_answer(const Raw& raw, Arguments& arguments, Problems& problems) {
     }
 }
 
-void collect_plot(const Raw& raw, Arguments& arguments, Problems& problems) {
-    if (!raw.plot) {
-        if (raw.plot_kind) problems.add("--plot-kind: says which picture; add --plot FILE", "--plot-kind");
-        return;
-    }
-    arguments.pictures.plot = PlotQuestion{.file = *raw.plot, .kind = raw.plot_kind.value_or("auto")};
-    problems.collect([&] { checked_canvas(*arguments.pictures.plot); });
-    if (raw.batch) problems.add("--plot: one question or sweep at a time; leave out --batch", "--plot");
-    if (!raw.scene.empty() && raw.plot_kind) {
-        problems.add("--plot-kind: a simulation has a picture of its own; leave it out", "--plot-kind");
-    }
-    const bool shared = raw.plot == "-" && !raw.output.has_value();
-    if (shared && (raw.format.value_or("table") != "table" || raw.json || !raw.paths.empty())) {
-        problems.add(
-            "--plot: - would draw between the lines of the answer; name a file, or send the answer to one "
-            "with "
-            "--output",
-            "--plot");
-    }
-}
-
-void collect_report(const Raw& raw, Arguments& arguments, Problems& problems) {
-    arguments.pictures.report = raw.report;
-    if (raw.report && raw.report->empty())
-        problems.add("--report: got an empty name; it takes a file", "--report");
-    if (raw.report && raw.batch) {
-        problems.add("--report: one question or sweep at a time; leave out --batch", "--report");
-    }
-}
-
-/// A workbook is the CSV in another form, and nothing else.
-void collect_workbook(const Raw& raw, Arguments& arguments, Problems& problems) {
-    if (!raw.output || !names_workbook(*raw.output)) return;
-    const auto refuse = [&](const std::string& option, const std::string& why) {
-        problems.add(option + ": " + why, option);
-    };
-    if (arguments.format.value_or(Format::csv) != Format::csv) {
-        refuse("--format", "a workbook holds rows of numbers; leave it out, or name another --output");
-    }
-    if (!raw.paths.empty())
-        refuse("--get", "a workbook holds every value; leave it out, or name another --output");
-    if (!raw.scene.empty()) refuse("--simulate", "has no workbook; name an --output that ends in .json");
-    if (raw.shard)
-        refuse("--shard", "the pieces of a workbook cannot be joined; name an --output that ends in .csv");
-    if (raw.list) refuse("--list", "has no workbook; name another --output");
-    arguments.format = Format::csv;
-}
-
-/// Pieces are joined as files are: whatever frames the whole, a table or an array, has no pieces.
-void collect_shard(const Raw& raw, Arguments& arguments, Problems& problems) {
-    if (!raw.shard) return;
-    problems.collect([&] { arguments.shard = parse_shard(*raw.shard); });
-    const auto refuse = [&](const std::string& why) { problems.add("--shard: " + why, "--shard"); };
-    if (!raw.batch && arguments.sweep.swept().empty()) {
-        refuse("a single question has no pieces; add --batch, or a list of values");
-        return;
-    }
-    if (raw.plot || raw.report) refuse("a picture or report shows the whole; leave it out");
-    if (!raw.paths.empty()) return;
-    if (arguments.format == Format::json) {
-        refuse("the pieces of a JSON array cannot be joined; use --format jsonl");
-    } else if (arguments.format.value_or(raw.batch ? Format::csv : Format::table) == Format::table) {
-        refuse("the pieces of a table cannot be joined; use --format csv or jsonl");
-    }
-}
-
 void collect_simulation(const Raw& raw, Arguments& arguments, Problems& problems) {
     SimulationQuestion question;
     if (raw.fidelity) {
@@ -321,7 +242,9 @@ void collect_simulation(const Raw& raw, Arguments& arguments, Problems& problems
 
 }  // namespace
 
-std::optional<Arguments> parse_arguments(int argc, const char* const* argv) {
+namespace {
+
+std::optional<Arguments> parse_words(int argc, const char* const* argv) {
     CLI::App app(description, std::string(program_name));
     app.set_help_flag("-h,--help", "this text");
     app.set_version_flag("--version", std::string(program_name) + " " + std::string(program_version()));
@@ -334,6 +257,7 @@ std::optional<Arguments> parse_arguments(int argc, const char* const* argv) {
     add_prediction_options(app, raw);
     add_answer_options(app, raw, arguments);
     add_simulation_options(app, raw);
+    add_long_run_options(app, raw.long_run);
     Problems problems;
     try {
         app.parse(argc, argv);
@@ -352,16 +276,28 @@ std::optional<Arguments> parse_arguments(int argc, const char* const* argv) {
                          "; see bioprint-predict --help",
                      extra);
     }
-    collect_question(app, raw, arguments, problems);
+    arguments.typed = typed_question(app);
+    // Beside --resume the question is what the run was asked.
+    if (!raw.long_run.resume) collect_question(app, raw, arguments, problems);
     collect_answer(raw, arguments, problems);
-    collect_simulation(raw, arguments, problems);
-    collect_plot(raw, arguments, problems);
-    collect_report(raw, arguments, problems);
-    collect_shard(raw, arguments, problems);
-    collect_workbook(raw, arguments, problems);
+    if (!raw.long_run.resume) collect_simulation(raw, arguments, problems);
+    collect_long_run(raw.long_run, arguments, problems);
+    collect_pictures(raw.pictures, arguments, problems);
     arguments.pictures.call.assign(argv, argv + argc);
     problems.raise();
     return arguments;
+}
+
+}  // namespace
+
+std::optional<Arguments> parse_arguments(int argc, const char* const* argv) {
+    const std::optional<Arguments> now = parse_words(argc, argv);
+    if (!now || !now->long_run || !now->long_run->resumed) return now;
+    const std::vector<std::string> words = resumed_words(now->long_run->directory, now->typed);
+    std::vector<const char*> pointers;
+    for (const std::string& word : words) pointers.push_back(word.c_str());
+    const std::optional<Arguments> then = parse_words(static_cast<int>(pointers.size()), pointers.data());
+    return with_call(then.value(), *now);
 }
 
 }  // namespace bioprint

@@ -7,11 +7,19 @@
 
 #include "io/pictures.hpp"
 #include "io/run.hpp"
+#include "io/run_directory.hpp"
 #include "io/settings.hpp"
 #include "io/simulation_answer.hpp"
 
 /// What was typed, checked but not yet computed.
 namespace bioprint {
+
+/// A run that is kept in a directory.
+struct LongRun {
+    std::string directory;
+    bool resumed = false;
+    double interval = 10.0;  ///< between checkpoints [s]
+};
 
 struct Arguments {
     Sweep sweep;
@@ -26,6 +34,8 @@ struct Arguments {
     std::optional<Shard> shard;
     std::optional<unsigned> jobs;
     std::optional<SimulationQuestion> simulation;
+    std::optional<LongRun> long_run;
+    TypedQuestion typed;  ///< every option of the question, as typed
     bool quiet = false;
     bool verbose = false;
     bool no_color = false;

@@ -109,8 +109,20 @@ class ProgressLine {
     std::chrono::steady_clock::time_point last_;
 };
 
+RunDirectory directory_of(const Arguments& arguments) {
+    const LongRun& run = *arguments.long_run;
+    return run.resumed ? RunDirectory::take_up(run.directory)
+                       : RunDirectory::begin(run.directory, arguments.typed);
+}
+
 void run_simulation(const Arguments& arguments, const RunOptions& options, const Sink& sink,
                     Pictures& pictures) {
+    std::optional<RunDirectory> directory;
+    std::optional<SimulationFiles> files;
+    if (arguments.long_run) {
+        directory.emplace(directory_of(arguments));
+        files.emplace(*directory, arguments.long_run->interval);
+    }
     ProgressLine line(!arguments.quiet && isatty(STDERR_FILENO) != 0);
     std::mutex lock;  // two resolutions may run at once
     const SimulationOptions simulation{.threads = static_cast<int>(std::min(options.jobs, 2U)),
@@ -120,10 +132,26 @@ void run_simulation(const Arguments& arguments, const RunOptions& options, const
                                                line.show(progress);
                                            },
                                        .cancel = &interrupted};
-    answer_with_simulation(arguments.sweep.fixed(), *arguments.simulation, options, simulation, sink,
-                           [&](const Prediction& prediction, const Comparison& comparison) {
-                               pictures.draw(prediction, comparison, *arguments.simulation);
-                           });
+    try {
+        answer_with_simulation(arguments.sweep.fixed(), *arguments.simulation, options, simulation, sink,
+                               files ? &*files : nullptr,
+                               [&](const Prediction& prediction, const Comparison& comparison) {
+                                   pictures.draw(prediction, comparison, *arguments.simulation);
+                               });
+    } catch (const UsageError&) {
+        if (directory) directory->abandon();
+        throw;
+    } catch (const NoSteadyFlow&) {
+        if (directory) directory->abandon();
+        throw;
+    }
+}
+
+/// How an interrupted run goes on.
+void say_how_to_resume(const Arguments& arguments) {
+    if (!arguments.long_run) return say("with --out DIR a run can be gone on with");
+    say("'" + std::string(program_name) + " --resume " + shell_word(arguments.long_run->directory) +
+        "' goes on from there");
 }
 
 int run(const Arguments& arguments) {
@@ -156,6 +184,7 @@ int run(const Arguments& arguments) {
         } catch (const SimulationIncomplete& e) {
             output.commit();  // the prediction, and what the simulation had
             say(e.what());
+            if (interrupted) say_how_to_resume(arguments);
             return interrupted ? status_interrupted : exit_status_of_current();
         }
         output.commit();
@@ -186,6 +215,7 @@ int run(const Arguments& arguments) {
 
 int main(int argc, char** argv) {
     std::signal(SIGINT, on_interrupt);
+    std::signal(SIGTERM, on_interrupt);
     try {
         const std::optional<Arguments> arguments = parse_arguments(argc, argv);
         return arguments ? run(*arguments) : 0;

@@ -1,7 +1,6 @@
 #include "io/report.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <numbers>
 #include <string_view>
@@ -11,6 +10,7 @@
 #include "io/html.hpp"
 #include "io/path_dimension.hpp"
 #include "io/report_sweep.hpp"
+#include "io/run_directory.hpp"
 #include "io/simulated_answer.hpp"
 
 namespace bioprint {
@@ -189,18 +189,6 @@ std::string figures_section(const Report& report) {
                "</figcaption>\n</figure>\n";
     }
     return out;
-}
-
-/// A word as a shell would have to be given it.
-std::string shell_word(const std::string& word) {
-    const bool plain = !word.empty() && std::all_of(word.begin(), word.end(), [](char c) {
-        return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
-               std::string_view("-_=./,:+%@").find(c) != std::string_view::npos;
-    });
-    if (plain) return word;
-    std::string out = "'";
-    for (const char c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return out + "'";
 }
 
 std::string call_text(const std::vector<std::string>& call) {

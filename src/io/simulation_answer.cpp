@@ -253,6 +253,7 @@ double resolution_of(const SimulationQuestion& question) {
 
 void answer_with_simulation(const Settings& settings, const SimulationQuestion& question,
                             const RunOptions& options, SimulationOptions simulation, const Sink& sink,
+                            SimulationFiles* files,
                             const std::function<void(const Prediction&, const Comparison&)>& seen) {
     if (options.format == Format::csv) {
         throw UsageError("--format: a simulation is answered as table, json or jsonl", "--format");
@@ -265,13 +266,20 @@ void answer_with_simulation(const Settings& settings, const SimulationQuestion& 
             "--viscosity-ratio");
     }
     simulation.resolution = resolution_of(question);
+    if (files != nullptr) files->attach(simulation);
     try {
         const Comparison comparison = compare_with_simulation(prediction, scene, simulation);
         const std::string failure = breakdown(comparison.run);
         if (!failure.empty()) throw SimulationIncomplete(failure, comparison.run);
+        if (files != nullptr) {
+            files->write_series(comparison.run.series);
+            files->write_answer(json_text(simulated_answer_object(prediction, comparison, question), 2) +
+                                "\n");
+        }
         write(prediction, comparison, question, options, sink);
         if (seen) seen(prediction, comparison);
     } catch (const SimulationIncomplete& e) {
+        if (files != nullptr) files->write_series(e.result().series);
         write(prediction, compare(prediction, e.result()), question, options, sink);
         throw;
     }

@@ -7,6 +7,7 @@
 
 #include "bioprint/predict/comparison.hpp"
 #include "io/run.hpp"
+#include "io/simulation_files.hpp"
 
 /// `--simulate`: a prediction, its simulation, their difference and the simulation's own error side by side.
 namespace bioprint {
@@ -24,11 +25,12 @@ SceneKind scene_of(std::string_view name, const Prediction& prediction);
 double resolution_of(const SimulationQuestion& question);
 
 /// Predicts, simulates and writes the answer. What an interrupted run had is written before its error goes
-/// on.
+/// on. `files`, where there are any, keep the run's state, its series and its answer.
 /// @param seen  gets prediction and comparison once the answer is written, for a picture or report
 /// @throws SimulationIncomplete  and what predict() and simulate() throw
 void answer_with_simulation(const Settings& settings, const SimulationQuestion& question,
                             const RunOptions& options, SimulationOptions simulation, const Sink& sink,
+                            SimulationFiles* files = nullptr,
                             const std::function<void(const Prediction&, const Comparison&)>& seen = {});
 
 }  // namespace bioprint

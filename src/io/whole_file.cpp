@@ -19,6 +19,7 @@ namespace {
 constexpr std::size_t buffer_size = std::size_t{1} << 16U;
 constexpr int largest_chain_of_links = 40;
 constexpr int name_attempts = 1000;
+constexpr mode_t everyone = 0666;  // less the umask, as for any new file
 
 namespace fs = std::filesystem;
 
@@ -104,9 +105,24 @@ void WholeFile::open_directly(const std::string& path) {
     if (file_ < 0) fail(errno);
 }
 
+std::string WholeFile::open_place() const {
+    return "/proc/self/fd/" + std::to_string(file_);
+}
+
+bool WholeFile::open_nameless() {
+    const fs::path directory = fs::path(target_).parent_path();
+    file_ = ::open(directory.empty() ? "." : directory.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, everyone);
+    if (file_ < 0) return false;  // the file system does not know it, or fails in the same way below
+    // A name is given to it through /proc, which a sandbox may lack.
+    if (::access(open_place().c_str(), F_OK) == 0) return true;
+    ::close(file_);
+    file_ = -1;
+    return false;
+}
+
 void WholeFile::open_temporary() {
-    constexpr mode_t everyone = 0666;  // less the umask, as for any new file
-    constexpr mode_t permission_bits = 07777;
+    nameless_ = open_nameless();
+    if (nameless_) return take_attributes();
     const std::string base = target_ + "." + std::to_string(::getpid()) + ".";
     for (int i = 0; i < name_attempts && file_ < 0; ++i) {
         temporary_ = base + std::to_string(i) + ".part";
@@ -118,6 +134,11 @@ void WholeFile::open_temporary() {
         temporary_.clear();
         fail(error);
     }
+    take_attributes();
+}
+
+void WholeFile::take_attributes() {
+    constexpr mode_t permission_bits = 07777;
     struct stat info {};
     if (::stat(target_.c_str(), &info) != 0) return;
     // The owner first: changing it clears special bits. Only root may; anyone else's file becomes the
@@ -169,9 +190,28 @@ void WholeFile::write_through(std::string_view bytes) {
     }
 }
 
+/// Names the file after its target or, where there is one to replace, next to it.
+void WholeFile::link_nameless() {
+    const auto link = [&](const std::string& name) {
+        return ::linkat(AT_FDCWD, open_place().c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
+    };
+    nameless_ = false;
+    if (link(target_)) return;
+    const std::string base =
+        (fs::path(target_).parent_path() / ("." + std::to_string(::getpid()) + ".")).string();
+    for (int i = 0; errno == EEXIST && i < name_attempts; ++i) {
+        const std::string name = base + std::to_string(i) + ".part";
+        if (link(name)) {
+            temporary_ = name;
+            return;
+        }
+    }
+    fail(errno);
+}
+
 void WholeFile::commit() {
     flush();
-    if (temporary_.empty()) {
+    if (temporary_.empty() && !nameless_) {
         if (owns_file_ && ::close(file_) != 0) {
             file_ = -1;
             fail(errno);
@@ -180,10 +220,11 @@ void WholeFile::commit() {
         return;
     }
     if (::fsync(file_) != 0) fail(errno);
+    if (nameless_) link_nameless();
     const int closed = ::close(file_);
     file_ = -1;
     if (closed != 0) fail(errno);
-    if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
+    if (!temporary_.empty() && ::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
     temporary_.clear();
     // The name is in place; a directory that cannot be synced is no failure of the file.
     const fs::path directory = fs::path(target_).parent_path();

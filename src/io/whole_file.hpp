@@ -5,9 +5,10 @@
 
 /// A file that appears whole or not at all.
 ///
-/// Bytes go to a temporary file next to the target; `commit` syncs it to the disk and renames it over the
-/// target, so a reader sees the old content or the new, never a part. Without `commit` nothing remains. A
-/// symbolic link stays a link and its target is written; permissions of an existing file are kept. Devices,
+/// Bytes go to a file without a name in the target's directory; `commit` syncs it to the disk and puts it in the
+/// target's place, so a reader sees the old content or the new, never a part. Without `commit` nothing remains, even
+/// of a process that was killed. (A file system that knows no nameless files gets one that ends in .part, which a
+/// kill leaves behind.) A symbolic link stays a link and its target is written; permissions of an existing file are kept. Devices,
 /// pipes and the process's own streams
 /// (/dev/stdout, /dev/fd/N, "-") cannot be replaced and are written as the bytes come.
 namespace bioprint {
@@ -31,13 +32,18 @@ class WholeFile {
   private:
     void open_directly(const std::string& path);
     void open_temporary();
+    [[nodiscard]] bool open_nameless();
+    [[nodiscard]] std::string open_place() const;
+    void take_attributes();
+    void link_nameless();
     void write_through(std::string_view bytes);
     void discard();
     [[noreturn]] void fail(int error);
 
     std::string path_;       ///< as the user wrote it
     std::string target_;     ///< behind symbolic links; empty when written directly
-    std::string temporary_;  ///< empty when written directly, or done
+    std::string temporary_;  ///< empty when written directly, nameless or done
+    bool nameless_ = false;
     std::string pending_;
     int file_ = -1;
     bool owns_file_ = true;

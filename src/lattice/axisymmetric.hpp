@@ -51,6 +51,13 @@ struct AxisymmetricFields {
     }
 };
 
+/// How far a search for the steady state is; what it needs, beside the flow's own state, to go on.
+struct SteadySearch {
+    long done = 0;               ///< steps
+    double last_change = 0.0;    ///< of the velocity between the last two checks
+    std::vector<double> before;  ///< the velocity at the last check
+};
+
 class AxisymmetricFlow {
   public:
     /// @param inflow_nodes  velocity at r = 1/2, 3/2 … (radius values), for an open domain
@@ -75,6 +82,9 @@ class AxisymmetricFlow {
     /// @param go_on  asked now and then with the estimated distance; false ends the run
     /// @return whether it did within `limit` steps
     bool run_to_steady(double tolerance, long limit, const std::function<bool(double)>& go_on = {});
+    /// The same, going on where `search` is; it stands at the last check when `go_on` is asked.
+    bool run_to_steady(double tolerance, long limit, const std::function<bool(double)>& go_on,
+                       SteadySearch& search);
 
     /// Turns a steady state into that of velocities × `velocity` and viscosities × `viscosity`, exactly.
     void rescale(double velocity, double viscosity);

@@ -2,6 +2,7 @@
 #include <cassert>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "lattice/axisymmetric.hpp"
 
@@ -154,14 +155,20 @@ void AxisymmetricFlow::rescale(double velocity, double viscosity) {
 }
 
 bool AxisymmetricFlow::run_to_steady(double tolerance, long limit, const std::function<bool(double)>& go_on) {
+    SteadySearch search;
+    return run_to_steady(tolerance, limit, go_on, search);
+}
+
+bool AxisymmetricFlow::run_to_steady(double tolerance, long limit, const std::function<bool(double)>& go_on,
+                                     SteadySearch& search) {
     const int interval = std::max(32, 2 * domain_.radius);
-    std::vector<double> before;
-    double last_change = 0.0;
-    for (long done = 0; done < limit; done += interval) {
+    while (search.done < limit) {
         for (int n = 0; n < interval; ++n) {
             step();
         }
-        auto now = measure().velocity_x;
+        search.done += interval;
+        const std::vector<double> before = std::exchange(search.before, measure().velocity_x);
+        const std::vector<double>& now = search.before;
         if (!before.empty()) {
             double change = 0.0;
             double largest = 0.0;
@@ -172,8 +179,9 @@ bool AxisymmetricFlow::run_to_steady(double tolerance, long limit, const std::fu
             if (!std::isfinite(largest)) {
                 return false;
             }
-            const double ratio = last_change > 0.0 ? std::min(change / last_change, 0.99) : 0.99;
-            last_change = change;
+            const double ratio =
+                search.last_change > 0.0 ? std::min(change / search.last_change, 0.99) : 0.99;
+            search.last_change = change;
             const double distance = change / (1.0 - ratio);
             if (distance <= tolerance * largest && !odd_) {
                 return true;
@@ -182,7 +190,6 @@ bool AxisymmetricFlow::run_to_steady(double tolerance, long limit, const std::fu
                 return false;
             }
         }
-        before = std::move(now);
     }
     return false;
 }

@@ -206,6 +206,7 @@ void ChannelRun::resume(const std::vector<double>& values) {
         run_.log.result.series.rows.emplace_back(row.begin(), row.end());
     }
     shape_ = cell_.shape();
+    run_.log.count(steps_, static_cast<double>(flow_.domain().length) * run_.nodes);
 }
 
 void ChannelRun::advance() {

@@ -64,10 +64,39 @@ ExitField settle_exit_flow(const NozzleFlow& flow, int nodes, const ExitReach& r
                                           units.relaxation(flow.ink()), profile.velocity, profile.links),
         .units = units};
     field.flow.start(profile.velocity, profile.slope, profile.pressure_gradient);
-    const bool steady = field.flow.run_to_steady(tolerance, step_limit, [&](double distance) {
-        log.progress("flow", std::clamp(std::log(distance) / std::log(tolerance), 0.0, 1.0));
-        return !log.cancelled();
-    });
+    lattice::SteadySearch search;
+    bool steady = false;
+    const auto record = [&] {
+        Record r;
+        r.put(steady ? 1.0 : 0.0);
+        r.put(static_cast<double>(search.done));
+        r.put(search.last_change);
+        r.put(steady ? std::span<const double>{} : std::span<const double>(search.before));
+        r.put(field.flow.state());
+        return r;
+    };
+    if (const auto* values = log.found("flow")) {
+        Record r(*values);
+        steady = r.next() != 0.0;
+        search.done = static_cast<long>(r.next());
+        search.last_change = r.next();
+        const auto before = r.next_list();
+        search.before.assign(before.begin(), before.end());
+        field.flow.restore(r.next_list());
+    }
+    if (!steady) {
+        steady = field.flow.run_to_steady(
+            tolerance, step_limit,
+            [&](double distance) {
+                log.progress("flow", std::clamp(std::log(distance) / std::log(tolerance), 0.0, 1.0));
+                log.keep("flow", false, record);
+                return !log.cancelled();
+            },
+            search);
+        if (steady) {
+            log.keep("flow", true, record);
+        }
+    }
     log.count(field.flow.steps(), static_cast<double>(length) * nodes);
     log.stop_if_cancelled();
     if (!steady) {

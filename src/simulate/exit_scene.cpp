@@ -44,6 +44,7 @@ class Passage {
         long first = steps_;
         if (const auto* values = run_.log.found(stage)) {
             first = resume(*values, flow);
+            run_.log.count(steps_ - first, nodes);
         }
         bool ended = !samples_.empty() && steps_ > first && enough(samples_.back());
         while (!ended) {
@@ -54,8 +55,8 @@ class Passage {
             run_.log.keep(stage, ended, [&] { return record(flow, first); });
             if (samples_.size() % 16 == 0 || ended) {
                 run_.log.progress(stage, ended ? 1.0 : progress_of(stage));
-                run_.log.stop_if_cancelled();
             }
+            run_.log.stop_if_cancelled();
         }
     }
     [[nodiscard]] const std::vector<Sample>& samples() const { return samples_; }

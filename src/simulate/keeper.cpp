@@ -52,28 +52,34 @@ Keeper::Keeper(const Scene& scene, const SimulationOptions& options) : options_(
             throw UsageError("--resume: the checkpoint is of another scene or resolution", "--resume");
         }
         state_ = *options.resume;
+        if (const auto* spent = found("elapsed"); spent != nullptr && !spent->empty()) {
+            before_ = spent->front();
+        }
     }
     state_.parts["scene"] = own;
 }
 
-bool Keeper::due() const {
-    if (!options_.checkpoint) {
-        return false;
-    }
-    const std::lock_guard lock(mutex_);
-    const std::chrono::duration<double> since = std::chrono::steady_clock::now() - last_;
-    return since.count() >= options_.checkpoint_interval;
+double Keeper::elapsed() const {
+    return before_ + std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
 }
 
-void Keeper::put(const std::string& stage, const Record& record, bool now) {
-    if (!options_.checkpoint) {
-        return;
-    }
+void Keeper::hand_out() {
+    state_.parts["elapsed"] = {elapsed()};
+    options_.checkpoint(state_);
+}
+
+void Keeper::put(const std::string& stage, const Record& record, bool due) {
     const std::lock_guard lock(mutex_);
     state_.parts[stage] = record.values();
-    if (now) {
-        options_.checkpoint(state_);
-        last_ = std::chrono::steady_clock::now();
+    if (due) {
+        hand_out();
+    }
+}
+
+void Keeper::close() {
+    if (options_.checkpoint) {
+        const std::lock_guard lock(mutex_);
+        hand_out();
     }
 }
 

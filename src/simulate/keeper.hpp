@@ -36,18 +36,23 @@ class Keeper {
   public:
     Keeper(const Scene& scene, const SimulationOptions& options);
 
-    /// Whether it is time for a checkpoint.
-    [[nodiscard]] bool due() const;
-    /// Replaces what is known of a stage; hands everything out when it is time or `now`.
-    void put(const std::string& stage, const Record& record, bool now);
+    /// Replaces what is known of a stage; hands everything out when it is `due`.
+    void put(const std::string& stage, const Record& record, bool due);
+    /// Hands everything out once more, when all stages are finished.
+    void close();
+    /// Time spent so far, with that of the runs this one goes on from [s].
+    [[nodiscard]] double elapsed() const;
     /// What the simulation that is resumed knew of a stage; null when nothing.
     [[nodiscard]] const std::vector<double>* found(const std::string& stage) const;
 
   private:
     const SimulationOptions& options_;
-    mutable std::mutex mutex_;
+    void hand_out();
+
+    std::mutex mutex_;
     SimulationState state_;
-    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+    double before_ = 0.0;  ///< [s]
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace bioprint

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <vector>
 
 #include "bioprint/simulate/simulation.hpp"
@@ -39,12 +40,20 @@ class RunLog {
     void warn(const char* code, const std::string& message) {
         result.warnings.push_back({.code = code, .message = message});
     }
-    /// Keeps a stage's state when it is time to, or when it is `finished`.
+    /// Keeps a stage's state when it is time to, when the run is cancelled, or when the stage is `finished`.
+    /// Each of two runs at once has its own time: one that samples more often must not leave the other without.
     template <class State>
     void keep(const char* stage, bool finished, const State& state) {
-        const bool due = keeper_.due();
-        if (options_.checkpoint && (due || finished)) {
+        if (!options_.checkpoint) {
+            return;
+        }
+        const std::chrono::duration<double> since = std::chrono::steady_clock::now() - kept_;
+        const bool due = since.count() >= options_.checkpoint_interval || cancelled();
+        if (due || finished) {
             keeper_.put(name_ + stage, state(), due);
+        }
+        if (due) {
+            kept_ = std::chrono::steady_clock::now();
         }
     }
     [[nodiscard]] const std::vector<double>* found(const char* stage) const {
@@ -60,6 +69,7 @@ class RunLog {
     Keeper& keeper_;
     std::string name_;
     bool reports_;
+    std::chrono::steady_clock::time_point kept_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace bioprint

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <exception>
 #include <mutex>
@@ -178,7 +177,6 @@ void report(const Run& run, const LatticeUnits& units, int length) {
 
 SimulationResult simulate(const Scene& scene, const SimulationOptions& options) {
     check(scene, options);
-    const auto begin = std::chrono::steady_clock::now();
     const NozzleFlow flow = NozzleFlow::from_velocity(scene.ink, scene.nozzle_radius, scene.velocity_average);
     const bool with_cell = scene.kind != SceneKind::exit_flow;
     const int wanted = layers_for(options.resolution, options.mesh_spacing);
@@ -219,7 +217,8 @@ SimulationResult simulate(const Scene& scene, const SimulationOptions& options) 
     } else if (options.estimate_error) {
         assume_errors(result);
     }
-    result.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    keeper.close();
+    result.wall_time = keeper.elapsed();
     result.updates_per_second = updates / result.wall_time;
     return result;
 }
