@@ -10,10 +10,10 @@ namespace bioprint {
 namespace {
 
 /// How to answer, not what: these may differ when a run goes on.
-constexpr std::array<std::string_view, 12> of_this_call = {
-    "--jobs",    "--quiet",  "--verbose", "--no-color", "--output",
-    "--history", "--list",   "--out",     "--resume",   "--checkpoint-interval",
-    "--help",    "--version"};
+constexpr std::array<std::string_view, 16> of_this_call = {
+    "--jobs",      "--quiet",  "--verbose", "--no-color", "--output", "--history", "--plot",
+    "--plot-kind", "--report", "--shard",   "--list",     "--out",    "--resume",  "--checkpoint-interval",
+    "--help",      "--version"};
 constexpr std::array<std::string_view, 3> of_the_answer = {"--format", "--json", "--get"};
 
 template <class List>

@@ -19,7 +19,7 @@ constexpr std::array<LineStyle, 6> styles = {{{"#000000", "solid", 7},
                                               {"#9ad3f5", "solid", 6}}};
 constexpr std::string_view grey = "#8a8a8a";
 constexpr int title_height = 34;
-constexpr std::size_t narrow_key = 22;  ///< characters of a key entry that leave room for a second column
+constexpr std::size_t narrow_key = 20;  ///< bytes of a key entry that leave room for a second column
 
 /// A gnuplot string that means `text` and nothing else: in single quotes nothing but the quote itself is
 /// special. Control characters and bytes that are no UTF-8 would break an SVG and are left out.
@@ -95,12 +95,12 @@ std::string axis_commands(std::string_view name, const Axis& axis, const Scale& 
     std::string out = "set " + n + "label " + quoted(scale.title) + "\n";
     out += (axis.logarithmic ? "set logscale " : "unset logscale ") + n + "\n";
     out += "set " + n + "range " + range_of(axis, scale, extent) + "\n";
-    if (axis.names.empty()) return out + "set " + n + "tics autofreq\n";
+    if (axis.names.empty()) return out + "set " + n + "tics nomirror autofreq\n";
     std::string tics;
     for (const auto& [value, text] : axis.names) {
         tics += (tics.empty() ? "" : ", ") + quoted(text) + " " + num(scale(value));
     }
-    return out + "set " + n + "tics (" + tics + ")\n";
+    return out + "set " + n + "tics nomirror (" + tics + ")\n";
 }
 
 std::string data_block(const Series& series, const Scale& x, const Scale& y, std::size_t number) {
@@ -164,13 +164,18 @@ class PanelScript {
         }
     }
 
-    [[nodiscard]] std::string text() const {
-        std::string out = "unset label\nunset arrow\nunset object\n";
-        out +=
-            panel_.title.empty() ? "unset title\n" : "set title " + quoted(panel_.title) + " offset 0,-0.3\n";
+    /// Lines the key takes above the panel.
+    [[nodiscard]] int key_lines() const {
+        const int entries = static_cast<int>(titles().size());
+        return (entries + key_columns() - 1) / key_columns();
+    }
+
+    /// @param lines  of the highest key in the row, so that the panels beside each other are level
+    [[nodiscard]] std::string text(int lines) const {
+        std::string out = "unset label\nunset arrow\nunset object\n" + head(lines);
         out += axis_commands("x", panel_.x, x_, x_extent_) + axis_commands("y", panel_.y, y_, y_extent_);
         out += panel_.one_scale ? "set size ratio -1\n" : "set size noratio\n";
-        out += key() + marks();
+        out += marks();
         std::string plot;
         std::string blocks;
         for (std::size_t i = 0; i < panel_.series.size(); ++i) {
@@ -185,18 +190,39 @@ class PanelScript {
     }
 
   private:
-    /// Above the panel, where it hides nothing.
-    [[nodiscard]] std::string key() const {
-        std::size_t entries = 0;
-        std::size_t widest = 0;
+    [[nodiscard]] std::vector<std::string_view> titles() const {
+        std::vector<std::string_view> found;
         for (const Series& series : panel_.series) {
-            if (series.title.empty()) continue;
-            ++entries;
-            widest = std::max(widest, series.title.size());
+            if (!series.title.empty() && drawable(series)) found.push_back(series.title);
         }
-        if (entries == 0) return "unset key\n";
-        const std::string columns = widest > narrow_key || canvas_ == Canvas::terminal ? "1" : "2";
-        return "set key tmargin left Left reverse samplen 3.2 spacing 1.05 maxcols " + columns + "\n";
+        return found;
+    }
+
+    [[nodiscard]] int key_columns() const {
+        const std::vector<std::string_view> entries = titles();
+        const bool wide = std::any_of(entries.begin(), entries.end(),
+                                      [](std::string_view text) { return text.size() > narrow_key; });
+        return wide || canvas_ == Canvas::terminal ? 1 : 2;
+    }
+
+    /// Title and key above the panel, where they hide nothing.
+    [[nodiscard]] std::string head(int lines) const {
+        if (canvas_ == Canvas::terminal) {
+            return "set title " + quoted(panel_.title) + "\n" +
+                   (titles().empty() ? "unset key\n"
+                                     : "set key tmargin left Left reverse samplen 3 maxcols 1\n");
+        }
+        constexpr double line = 1.1;  // character heights
+        const double margin = line * lines + (panel_.title.empty() ? 1.0 : 2.4);
+        std::string out = "set tmargin " + num(margin) + "\n";
+        if (!panel_.title.empty()) {
+            out += "set label " + quoted(panel_.title) + " at graph 0, graph 1 offset 0," +
+                   num(margin - 1.0) + " left font ',13.5'\n";
+        }
+        if (titles().empty()) return out + "unset key\n";
+        return out +
+               "set key at graph 0, graph 1.01 left bottom Left reverse samplen 3.2 spacing 1.05 maxcols " +
+               std::to_string(key_columns()) + "\n";
     }
 
     [[nodiscard]] std::string marks() const {
@@ -284,8 +310,12 @@ std::string gnuplot_script(const Picture& picture, Canvas canvas, const CanvasSi
     for (const PictureRow& row : picture.rows) {
         below -= row.height;
         const double width = 1.0 / static_cast<double>(row.panels.size());
+        int key_lines = 0;
+        for (const Panel& panel : row.panels) {
+            key_lines = std::max(key_lines, PanelScript(panel, canvas).key_lines());
+        }
         for (std::size_t i = 0; i < row.panels.size(); ++i) {
-            const std::string panel = PanelScript(row.panels[i], canvas).text();
+            const std::string panel = PanelScript(row.panels[i], canvas).text(key_lines);
             if (!terminal) {
                 out += "set origin " + num(width * static_cast<double>(i)) + "," + num(below / total) +
                        "\nset size " + num(width) + "," + num(row.height / total) + "\n";

@@ -41,7 +41,7 @@ Panel velocity_panel(const PictureData& data) {
                   .min = 0.0,
                   .max = data.question.radius},
             .y = {.title = "velocity", .dimension = Dimension::velocity},
-            .series = {curve("", profile.r, profile.velocity, 1)},
+            .series = {curve("", profile.r, profile.velocity, 0)},
             .circles = cells_to_scale(data)};
 }
 
@@ -59,7 +59,7 @@ Panel stress_panel(const PictureData& data) {
                   .min = 0.0,
                   .max = data.question.radius},
             .y = {.title = "stress", .dimension = Dimension::pressure},
-            .series = {curve("ink (shear stress)", profile.r, profile.stress, 1), std::move(cells)}};
+            .series = {curve("ink (shear stress)", profile.r, profile.stress, 0), std::move(cells)}};
 }
 
 /// The part of the axis a picture of the exit shows, in radii from the lip.
@@ -161,7 +161,7 @@ Picture profile_picture(const PictureData& data) {
                            .min = 0.0,
                            .max = data.question.radius},
                      .y = {.title = name, .dimension = dimension},
-                     .series = {curve("", profile.r, values, 1)}};
+                     .series = {curve("", profile.r, values, 0)}};
     };
     return {.name = "profile",
             .title = picture_title(data),
