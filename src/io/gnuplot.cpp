@@ -115,6 +115,27 @@ std::string reason_in(const std::string& text) {
     return reason.substr(std::min(reason.find_first_not_of(" \t"), reason.size()));
 }
 
+/// Puts `prefix` before the names inside the tags of an SVG, so that several can stand in one page.
+std::string with_own_ids(std::string_view svg, std::string_view prefix) {
+    constexpr std::array<std::string_view, 5> before_a_name = {" id=\"", " id='", "href=\"#", "href='#",
+                                                               "url(#"};
+    std::string out;
+    bool in_tag = false;
+    while (!svg.empty()) {
+        std::size_t taken = 1;
+        if (svg.front() == '<') in_tag = true;
+        if (svg.front() == '>') in_tag = false;
+        for (const std::string_view mark : before_a_name) {
+            if (!in_tag || !svg.starts_with(mark)) continue;
+            taken = mark.size();
+        }
+        out += svg.substr(0, taken);
+        if (taken > 1) out.append(prefix).append("-");
+        svg.remove_prefix(taken);
+    }
+    return out;
+}
+
 }  // namespace
 
 bool gnuplot_installed() {
@@ -141,7 +162,7 @@ std::string draw(const Picture& picture, Canvas canvas, const CanvasSize& size) 
         throw DataError("gnuplot could not draw the picture" + (reason.empty() ? "" : ": " + reason) +
                         "; is it gnuplot 5.4 or newer?");
     }
-    return std::move(outcome.out);
+    return canvas == Canvas::svg ? with_own_ids(outcome.out, picture.name) : std::move(outcome.out);
 }
 
 }  // namespace bioprint

@@ -10,12 +10,12 @@
 namespace bioprint {
 namespace {
 
-// L* of 0, 33, 49, 61, 74 and 82: tests/unit/io/picture.cpp measures them.
+// L* of 0, 33, 49, 61, 71 and 82; tests/cli/pictures.py measures them, and their distances for colour-blind eyes.
 constexpr std::array<LineStyle, 6> styles = {{{"#000000", "solid", 7},
                                               {"#004f8c", "(14,6)", 5},
                                               {"#c44e00", "(5,4)", 9},
                                               {"#00a878", "(14,4,3,4)", 13},
-                                              {"#f2b01e", "(2,4)", 11},
+                                              {"#e69f00", "(2,4)", 11},
                                               {"#9ad3f5", "solid", 6}}};
 constexpr std::string_view grey = "#8a8a8a";
 constexpr int title_height = 34;
@@ -277,7 +277,7 @@ std::string terminal_command(const Picture& picture, Canvas canvas, const Canvas
                    num(height_of(picture) / pixels_an_inch) +
                    "in fontscale 1 font 'Sans,9.75' background rgb 'white'\n";
         case Canvas::terminal:
-            return "set terminal dumb noenhanced mono size " + std::to_string(size.columns) + "," +
+            return "set terminal dumb noenhanced nofeed mono size " + std::to_string(size.columns) + "," +
                    std::to_string(size.lines) + "\n";
     }
     return {};

@@ -125,7 +125,7 @@ class Pictures(Case):
         seen = re.findall(r"stroke='rgb\( *(\d+), *(\d+), *(\d+)\)'|stroke=\"(#[0-9a-fA-F]{6})\"", self.read("p.svg").decode())
         colours = ["#%02x%02x%02x" % tuple(map(int, rgb[:3])) if rgb[0] else rgb[3] for rgb in seen]
         house = [c for c in dict.fromkeys(c.lower() for c in colours)
-                 if c in ("#000000", "#004f8c", "#c44e00", "#00a878", "#f2b01e", "#9ad3f5")]  # fmt: skip
+                 if c in ("#000000", "#004f8c", "#c44e00", "#00a878", "#e69f00", "#9ad3f5")]  # fmt: skip
         self.assertEqual(len(house), 6)
         tones = [lightness(channels(c)) for c in house]
         for dark, light in itertools.pairwise(tones):
