@@ -131,6 +131,9 @@ Panel scene_panel(const PictureData& data) {
         drawn(ellipse(after.position, 0.0, after.axial_stretch * cell, after.radial_stretch * cell),
               Mark::outline, 3));
     add_off_axis(data, panel);
+    const double below = -1.35 * cell * peak.radial_stretch - 0.06 * radius;
+    panel.labels = {{.x = peak.position, .y = below, .text = "largest load", .anchor = Anchor::centre},
+                    {.x = after.position, .y = below, .text = "in the strand", .anchor = Anchor::centre}};
     return panel;
 }
 
@@ -145,11 +148,11 @@ Panel outline_panel(const PictureData& data) {
     return {.title = "The centred cell at one scale",
             .x = axis("along the flow"),
             .y = axis("across"),
-            .series = {drawn(bullet_outline(0.0, data), Mark::outline, 0, "in the nozzle"),
+            .series = {drawn(bullet_outline(0.0, data), Mark::line, 0, "in the nozzle"),
                        drawn(ellipse(0.0, 0.0, peak.axial_stretch * cell, peak.radial_stretch * cell),
-                             Mark::outline, 2, "at its largest load"),
+                             Mark::line, 2, "at its largest load"),
                        drawn(ellipse(0.0, 0.0, after.axial_stretch * cell, after.radial_stretch * cell),
-                             Mark::outline, 3, "in the strand"),
+                             Mark::line, 3, "in the strand"),
                        drawn(ellipse(0.0, 0.0, cell, cell), Mark::faint, 0, "at rest")},
             .one_scale = true};
 }

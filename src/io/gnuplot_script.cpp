@@ -76,7 +76,10 @@ struct Scale {
 
 Scale scale_of(const Axis& axis, const Extent& extent) {
     if (!axis.dimension || *axis.dimension == Dimension::dimensionless) return {1.0, axis.title};
-    const LabUnit& unit = choose_lab_unit(extent.magnitude(), *axis.dimension);
+    // Over decades the middle one is read, not the highest.
+    const bool decades = axis.logarithmic && extent.low > 0.0;
+    const double read = decades ? std::sqrt(extent.low * extent.high) : extent.magnitude();
+    const LabUnit& unit = choose_lab_unit(read, *axis.dimension);
     return {unit.in_si, axis.title + " [" + std::string(unit.name) + "]"};
 }
 
@@ -221,8 +224,8 @@ class PanelScript {
         }
         if (titles().empty()) return out + "unset key\n";
         return out +
-               "set key at graph 0, graph 1.01 left bottom Left reverse samplen 3.2 spacing 1.05 maxcols " +
-               std::to_string(key_columns()) + "\n";
+               "set key at graph 0, graph 1.01 left bottom Left reverse samplen 3.2 spacing 1.05 maxrows " +
+               std::to_string(key_lines()) + "\n";
     }
 
     [[nodiscard]] std::string marks() const {

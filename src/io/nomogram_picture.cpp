@@ -80,16 +80,17 @@ Panel nomogram_panel(const char* title, const std::vector<double>& rates) {
             .x = {.title = "flow rate",
                   .dimension = Dimension::volume_flow,
                   .logarithmic = true,
-                  .min = rates.front(),
-                  .max = rates.back() * 1.9},
+                  .min = rates.front() / 2.0,
+                  .max = rates.back()},
             .y = {.title = "stress", .dimension = Dimension::pressure, .logarithmic = true}};
 }
 
 void add_curve(Panel& panel, const std::vector<double>& rates, std::vector<double> stress,
                const std::string& name, bool own) {
-    for (std::size_t i = rates.size(); i-- > 0;) {
+    // At the left end, where the curves lie farthest apart.
+    for (std::size_t i = 0; i < rates.size(); ++i) {
         if (!std::isfinite(stress[i])) continue;
-        panel.labels.push_back({.x = rates[i] * 1.06, .y = stress[i], .text = name});
+        panel.labels.push_back({.x = rates[i] / 1.08, .y = stress[i], .text = name, .anchor = Anchor::right});
         break;
     }
     panel.series.push_back({.title = own ? "this nozzle" : "",
