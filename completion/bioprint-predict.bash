@@ -23,7 +23,7 @@ _bioprint_predict() {
         -f | --format) words='table json jsonl csv' ;;
         --tip) words='steel tapered hypodermic' ;;
         --model) words='ellipsoid steady' ;;
-        --simulate) words='auto exit-flow channel exit' ;;
+        --simulate) words='auto shear channel exit-flow exit' ;;
         --plot-kind) words='overview profile exit cell nomogram' ;;
         --fidelity) words='draft standard fine' ;;
         --list) words='inks cells nozzles' ;;
@@ -46,7 +46,7 @@ _bioprint_predict() {
         -R | --radius | --diameter | -Q | --flowrate | --velocity | --pressure-gradient | --pressure | --length | \
             --eta0 | --eta-inf | -K | --time-constant | -a | --alpha | --cell-radius | --shear-modulus | \
             --poisson-ratio | --viscosity-ratio | --offset | --threshold | --profile | --get | --resolution | --shard | \
-            --checkpoint-interval | -j | --jobs)
+            --fluid-stress | --channel-time | --checkpoint-interval | -j | --jobs)
             return # a quantity: nothing to propose
             ;;
         *)
@@ -57,7 +57,7 @@ _bioprint_predict() {
                 --model --population --threshold --profile --batch -f --format --json --get --history -o --output
                 --plot --plot-kind --report --shard
                 -j --jobs -q --quiet -v --verbose --no-color --list --simulate --fidelity --resolution
-                --out --resume --checkpoint-interval --version -h --help'
+                --fluid-stress --channel-time --out --resume --checkpoint-interval --version -h --help'
             ;;
     esac
     local proposals

@@ -42,6 +42,8 @@ struct Raw {
     RawPictures pictures;
     std::optional<std::string> fidelity;
     std::optional<std::string> resolution;
+    std::optional<std::string> fluid_stress;
+    std::optional<std::string> channel_time;
     bool json = false;
     RawLongRun long_run;
 };
@@ -85,7 +87,7 @@ void add_answer_options(CLI::App& app, Raw& raw, Arguments& arguments) {
     app.add_option("-o,--output", raw.output, "write there, whole or not at all")
         ->type_name("FILE")
         ->group(group);
-    app.add_option("--history", raw.history, "write the centred cell's way through the exit there, as CSV")
+    app.add_option("--history", raw.history, "write the cells' way through nozzle and exit there, as CSV")
         ->type_name("FILE")
         ->group(group);
     add_picture_options(app, raw.pictures, group);
@@ -104,13 +106,21 @@ void add_answer_options(CLI::App& app, Raw& raw, Arguments& arguments) {
 void add_simulation_options(CLI::App& app, Raw& raw) {
     const std::string group = "The simulation";
     app.add_flag("--simulate{auto}", raw.scene,
-                 "verify by simulation; --simulate=SCENE with exit-flow, channel, exit or auto")
+                 "verify by simulation; --simulate=SCENE with shear, channel, exit-flow, exit or auto")
         ->group(group);
     app.add_option("--fidelity", raw.fidelity, "draft, standard or fine: 3, 6 or 12 nodes a cell radius")
         ->type_name("WORD")
         ->group(group);
     app.add_option("--resolution", raw.resolution, "nodes a cell radius, in place of --fidelity")
         ->type_name("N")
+        ->group(group);
+    app.add_option("--fluid-stress", raw.fluid_stress,
+                   "stress of the ink in the scene shear (default that at the first position off the axis)")
+        ->type_name("QUANTITY")
+        ->group(group);
+    app.add_option("--channel-time", raw.channel_time,
+                   "how long the cell flows in the nozzle (default until its shape is steady)")
+        ->type_name("QUANTITY")
         ->group(group);
 }
 
@@ -227,9 +237,25 @@ void collect_simulation(const Raw& raw, Arguments& arguments, Problems& problems
             }
         });
     }
+    const auto positive = [&](const std::optional<std::string>& text, Dimension dimension, const char* option,
+                              std::optional<double>& value) {
+        if (!text) return;
+        problems.collect([&] {
+            value = parse_quantity(*text, dimension, option);
+            if (!(*value > 0.0)) {
+                throw UsageError(std::string(option) + ": got '" + *text + "'; it takes a quantity above 0",
+                                 option);
+            }
+        });
+    };
+    positive(raw.fluid_stress, Dimension::pressure, "--fluid-stress", question.fluid_stress);
+    positive(raw.channel_time, Dimension::time, "--channel-time", question.channel_time);
     if (raw.scene.empty()) {
-        if (raw.fidelity || raw.resolution) {
-            problems.add("--fidelity and --resolution belong to a simulation; add --simulate", "--fidelity");
+        for (const auto& [name, given] : {std::pair{"--fidelity", raw.fidelity.has_value()},
+                                          {"--resolution", raw.resolution.has_value()},
+                                          {"--fluid-stress", raw.fluid_stress.has_value()},
+                                          {"--channel-time", raw.channel_time.has_value()}}) {
+            if (given) problems.add(std::string(name) + ": belongs to a simulation; add --simulate", name);
         }
         return;
     }

@@ -125,7 +125,7 @@ void run_simulation(const Arguments& arguments, const RunOptions& options, const
     }
     ProgressLine line(!arguments.quiet && isatty(STDERR_FILENO) != 0);
     std::mutex lock;  // two resolutions may run at once
-    const SimulationOptions simulation{.threads = static_cast<int>(std::min(options.jobs, 2U)),
+    const SimulationOptions simulation{.threads = static_cast<int>(options.jobs),
                                        .progress =
                                            [&](const SimulationProgress& progress) {
                                                const std::lock_guard guard(lock);

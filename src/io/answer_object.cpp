@@ -142,7 +142,34 @@ Json cell_object(const CellAnswer& cell) {
                            .add("viscous", number(part(&CellStress::viscous)))
                            .take());
     if (cell.place == Place::exit) object.add("relaxation_time", number(cell.relaxation_time));
+    if (cell.applies) object.add("applies", *cell.applies);
     return object.take();
+}
+
+Json passage_object(const PassageAnswer& passage) {
+    const auto place = [](Place p) { return p == Place::nozzle ? "nozzle" : "exit"; };
+    return ObjectBuilder()
+        .add("offset", number(passage.offset))
+        .add("offset_in_cell_radii", number(passage.offset_in_cell_radii))
+        .add("peak", ObjectBuilder()
+                         .add("von_mises", number(passage.von_mises))
+                         .add("place", place(passage.place))
+                         .add("position", number(passage.position))
+                         .take())
+        .add("nozzle", ObjectBuilder()
+                           .add("von_mises_peak", number(passage.nozzle_peak))
+                           .add("von_mises_settled", number(passage.nozzle_steady))
+                           .add("settles", passage.settles ? Json(*passage.settles) : Json(nullptr))
+                           .add("settling_time", number(passage.settling_time))
+                           .add("exposure", number(passage.nozzle_exposure))
+                           .take())
+        .add("exit", ObjectBuilder()
+                         .add("von_mises_peak", number(passage.exit_peak))
+                         .add("position", number(passage.exit_position))
+                         .add("exposure", number(passage.exit_exposure))
+                         .take())
+        .add("strand_offset", number(passage.strand_offset))
+        .take();
 }
 
 Json distribution_object(const Distribution& d) {
@@ -223,6 +250,11 @@ Json answer_object(const Prediction& prediction) {
                          .add("elongational_stress", number(prediction.exit.elongational_stress))
                          .take())
         .add("cells", std::move(cells));
+    if (!prediction.passages.empty()) {
+        Json passages = Json::array();
+        for (const PassageAnswer& passage : prediction.passages) passages.push_back(passage_object(passage));
+        answer.add("passages", std::move(passages));
+    }
     if (prediction.population) {
         answer.add("population", population_object(*prediction.population, prediction.question.thresholds));
     }
@@ -280,7 +312,7 @@ const Json& value_at(const Json& answer, std::string_view path) {
 }
 
 std::string_view unit_of(std::string_view path) {
-    static constexpr std::array<std::pair<std::string_view, std::string_view>, 33> units = {{
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 39> units = {{
         {"radius", "m"},
         {"length", "m"},
         {"offsets", "m"},
@@ -314,6 +346,12 @@ std::string_view unit_of(std::string_view path) {
         {"elongation_rate", "1/s"},
         {"frequency", "1/s"},
         {"angle", "rad"},
+        {"position", "m"},
+        {"strand_offset", "m"},
+        {"von_mises_peak", "Pa"},
+        {"von_mises_settled", "Pa"},
+        {"settling_time", "s"},
+        {"exposure", "Pa.s"},
     }};
     if (path.starts_with("population.peak_stress.")) return "Pa";
     if (path.starts_with("population.exposure.")) return "Pa.s";

@@ -59,7 +59,8 @@ RunResult run_json_lines(ByteSource& source, const BatchInput& input, const RunO
     JsonLinesReader reader(source);
     for (std::size_t i = 0; i < share.begin && reader.next(); ++i) {
     }
-    const RowWriter writer(options, 3 * cell_entries(defaults), defaults.has(Key::population));
+    const RowWriter writer(options, 3 * cell_entries(defaults), defaults.has(Key::population),
+                           3 * passage_entries(defaults));
     RunResult result;
     if (!options.shard || options.shard->piece == 1) sink(writer.head());
     std::vector<JsonLine> lines;

@@ -131,7 +131,9 @@ class CsvBatch {
         remark_on_columns(notice);
         if (options_.shard) share_ = rows_of(*options_.shard, count_records(input_.file));
         bool more = read_chunk();
-        columns_.emplace(entries(), layout_.asks(Key::population) || input_.defaults.has(Key::population));
+        const std::size_t cells = entries();
+        columns_.emplace(cells, layout_.asks(Key::population) || input_.defaults.has(Key::population),
+                         passage_entries(input_.defaults) > 0 ? cells / 3 : 0);
         if (!options_.shard || options_.shard->piece == 1) sink(head());
         RunResult result;
         while ((more || !rows_.empty()) && !result.interrupted) {

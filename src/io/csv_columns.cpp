@@ -32,7 +32,7 @@ constexpr std::array<std::string_view, 25> leading_paths = {"input.radius",
                                                             "nozzle.pressure_drop",
                                                             "nozzle.residence_time",
                                                             "exit.elongation_rate"};
-constexpr std::array<std::string_view, 17> cell_paths = {"place",
+constexpr std::array<std::string_view, 18> cell_paths = {"place",
                                                          "model",
                                                          "offset",
                                                          "offset_in_cell_radii",
@@ -48,7 +48,22 @@ constexpr std::array<std::string_view, 17> cell_paths = {"place",
                                                          "stress.elastic.1",
                                                          "stress.elastic.2",
                                                          "stress.viscous",
-                                                         "relaxation_time"};
+                                                         "relaxation_time",
+                                                         "applies"};
+constexpr std::array<std::string_view, 14> passage_paths = {"offset",
+                                                            "offset_in_cell_radii",
+                                                            "peak.von_mises",
+                                                            "peak.place",
+                                                            "peak.position",
+                                                            "nozzle.von_mises_peak",
+                                                            "nozzle.von_mises_settled",
+                                                            "nozzle.settles",
+                                                            "nozzle.settling_time",
+                                                            "nozzle.exposure",
+                                                            "exit.von_mises_peak",
+                                                            "exit.position",
+                                                            "exit.exposure",
+                                                            "strand_offset"};
 constexpr std::array<std::string_view, 13> population_paths = {
     "population.peak_stress.mean",          "population.peak_stress.median",
     "population.peak_stress.percentile_90", "population.peak_stress.percentile_95",
@@ -96,12 +111,17 @@ std::string warning_codes(const Json& warnings) {
 
 }  // namespace
 
-CsvColumns::CsvColumns(std::size_t cell_entries, bool population) : cell_entries_(cell_entries) {
+CsvColumns::CsvColumns(std::size_t cell_entries, bool population, std::size_t passages)
+    : cell_entries_(cell_entries) {
     for (const std::string_view path : leading_paths) add(std::string(path));
     add("exit.elongational_stress");
     for (std::size_t i = 0; i < cell_entries; ++i) {
         for (const std::string_view path : cell_paths)
             add("cells." + std::to_string(i) + "." + std::string(path));
+    }
+    for (std::size_t i = 0; i < passages; ++i) {
+        for (const std::string_view path : passage_paths)
+            add("passages." + std::to_string(i) + "." + std::string(path));
     }
     if (population) {
         for (const std::string_view path : population_paths) add(std::string(path));
@@ -128,6 +148,8 @@ void CsvColumns::write(const Json& answer, CsvWriter& writer) const {
             writer.add_empty();
         } else if (value->is_array()) {
             writer.add_text(warning_codes(*value));
+        } else if (value->is_boolean()) {
+            writer.add_text(value->get<bool>() ? "true" : "false");
         } else if (value->is_number()) {
             writer.add_number(value->get<double>());
         } else {
@@ -143,12 +165,14 @@ bool is_answer_header(std::string_view header) {
         path == "exit.elongational_stress" ||
         std::find(population_paths.begin(), population_paths.end(), path) != population_paths.end() ||
         std::find(trailing_paths.begin(), trailing_paths.end(), path) != trailing_paths.end();
-    if (!known && path.starts_with("cells.")) {
-        const std::string_view rest = path.substr(6);
+    const auto listed = [&](std::string_view list, const auto& paths) {
+        if (!path.starts_with(list)) return false;
+        const std::string_view rest = path.substr(list.size());
         const std::size_t dot = rest.find('.');
-        known = dot != std::string_view::npos && is_index(rest.substr(0, dot)) &&
-                std::find(cell_paths.begin(), cell_paths.end(), rest.substr(dot + 1)) != cell_paths.end();
-    }
+        return dot != std::string_view::npos && is_index(rest.substr(0, dot)) &&
+               std::find(paths.begin(), paths.end(), rest.substr(dot + 1)) != paths.end();
+    };
+    known = known || listed("cells.", cell_paths) || listed("passages.", passage_paths);
     return known && with_unit(path) == header;
 }
 

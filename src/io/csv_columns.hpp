@@ -26,7 +26,8 @@ class CsvColumns {
 
     /// @param cell_entries  entries of `cells` to provide columns for
     /// @param population    whether to provide columns for it
-    CsvColumns(std::size_t cell_entries, bool population);
+    /// @param passages      entries of `passages`
+    CsvColumns(std::size_t cell_entries, bool population, std::size_t passages);
 
     [[nodiscard]] std::size_t cell_entries() const { return cell_entries_; }
     /// Names with units, in order.

@@ -6,7 +6,7 @@
 
 #include "bioprint/errors.hpp"
 #include "bioprint/io/number_format.hpp"
-#include "io/history.hpp"
+#include "io/exit_history.hpp"
 
 namespace bioprint {
 namespace {

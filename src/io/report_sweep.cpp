@@ -38,17 +38,31 @@ std::string text_at(const Json& answer, const std::string& path) {
     return value == nullptr || value->is_null() ? "–" : spoken_value(*value, path);
 }
 
-/// The largest von Mises stress of the cells at a place.
-std::string largest_stress(const Json& answer, std::string_view place, std::string_view not_model) {
+/// The largest von Mises stress of the cells in the nozzle.
+std::string nozzle_stress(const Json& answer) {
     std::optional<double> largest;
-    const auto cells = answer.find("cells");
-    if (cells == answer.end()) return "–";
-    for (const Json& cell : *cells) {
-        if (cell.at("place") != place || cell.at("model") == not_model) continue;
+    for (const Json& cell : answer.value("cells", Json::array())) {
         const Json& stress = cell.at("stress").at("von_mises");
-        if (stress.is_number()) largest = std::max(largest.value_or(0.0), stress.get<double>());
+        if (cell.at("place") == "nozzle" && stress.is_number()) {
+            largest = std::max(largest.value_or(0.0), stress.get<double>());
+        }
     }
     return largest ? spoken_value(*largest, "von_mises") : "–";
+}
+
+/// That of the cell nearest to the axis at the exit: carried in time where it was, else steady.
+std::string exit_stress(const Json& answer) {
+    std::optional<double> offset;
+    Json best;
+    for (const Json& cell : answer.value("cells", Json::array())) {
+        if (cell.at("place") != "exit") continue;
+        const double here = cell.at("offset").get<double>();
+        const bool better = !offset || here < *offset || (here == *offset && cell.at("model") == "ellipsoid");
+        if (!better) continue;
+        offset = here;
+        best = cell.at("stress").at("von_mises");
+    }
+    return best.is_number() ? spoken_value(best, "von_mises") : "–";
 }
 
 bool differs(const Json& answers, const std::string& path) {
@@ -96,10 +110,8 @@ std::string sweep_sections(const Json& answers) {
         for (const std::string& path : changing) row.push_back(text_at(answer, path));
         if (changing.empty()) row.push_back(std::to_string(i + 1));
         for (const std::string& path : results) row.push_back(text_at(answer, path));
-        row.push_back(largest_stress(answer, "nozzle", ""));
-        // Carried in time is the better value; the steady one stands in only where there is no other.
-        const std::string carried = largest_stress(answer, "exit", "roscoe-elongation");
-        row.push_back(carried != "–" ? carried : largest_stress(answer, "exit", "ellipsoid"));
+        row.push_back(nozzle_stress(answer));
+        row.push_back(exit_stress(answer));
         row.push_back(text_at(answer, "error.message"));
         rows.push_back(std::move(row));
     }

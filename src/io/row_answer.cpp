@@ -34,16 +34,34 @@ std::string value_text(const Json& value) {
     return json_text(value);
 }
 
-std::size_t cell_entries(const Settings& settings) {
-    if (!settings.has(Key::offset)) return 6;  // the paper's four positions, the centred one three times
-    const std::vector<CellPosition>& positions = settings.at(Key::offset).positions;
-    const auto centred = std::count_if(positions.begin(), positions.end(),
-                                       [](const CellPosition& position) { return position.value == 0.0; });
-    return positions.size() + 2 * static_cast<std::size_t>(centred);
+namespace {
+
+bool steady_alone(const Settings& settings) {
+    return settings.has(Key::model) && settings.at(Key::model).text == "steady";
 }
 
-RowWriter::RowWriter(const RunOptions& options, std::size_t cell_entries, bool population)
-    : options_(options), columns_(cell_entries, population) {}
+}  // namespace
+
+std::size_t cell_entries(const Settings& settings) {
+    const bool steady = steady_alone(settings);
+    if (!settings.has(Key::offset)) return steady ? 5 : 12;  // the paper's four positions
+    const std::vector<CellPosition>& positions = settings.at(Key::offset).positions;
+    if (!steady)
+        return 3 * positions.size();  // in the nozzle steady and in time, at the exit in time; on the axis
+                                      // in the nozzle once and at the exit both
+    const auto centred = std::count_if(positions.begin(), positions.end(),
+                                       [](const CellPosition& position) { return position.value == 0.0; });
+    return positions.size() + static_cast<std::size_t>(centred);
+}
+
+std::size_t passage_entries(const Settings& settings) {
+    if (steady_alone(settings)) return 0;
+    return settings.has(Key::offset) ? settings.at(Key::offset).positions.size() : 4;
+}
+
+RowWriter::RowWriter(const RunOptions& options, std::size_t cell_entries, bool population,
+                     std::size_t passages)
+    : options_(options), columns_(cell_entries, population, passages) {}
 
 std::string RowWriter::head() const {
     if (!options_.paths.empty()) return {};

@@ -39,10 +39,12 @@ CsvDialect fresh_dialect();
 
 /// Entries of `cells` a question with these settings can have.
 std::size_t cell_entries(const Settings& settings);
+/// And of `passages`: one a position, none by the steady theory alone.
+std::size_t passage_entries(const Settings& settings);
 
 class RowWriter {
   public:
-    RowWriter(const RunOptions& options, std::size_t cell_entries, bool population);
+    RowWriter(const RunOptions& options, std::size_t cell_entries, bool population, std::size_t passages);
 
     [[nodiscard]] std::string head() const;
     [[nodiscard]] std::string csv_row(const Json& answer) const;

@@ -46,7 +46,7 @@ void answer_one(const Settings& row, const RunOptions& options, const Sink& sink
             break;
     }
     if (prediction.profile) return sink(profile_csv(*prediction.profile));
-    const RowWriter writer(options, cell_entries(row), row.has(Key::population));
+    const RowWriter writer(options, cell_entries(row), row.has(Key::population), passage_entries(row));
     sink(writer.head() + writer.csv_row(answer_object(prediction)));
 }
 
@@ -106,7 +106,8 @@ RunResult run_sweep(const Sweep& sweep, const RunOptions& options, const Sink& s
         return result;
     }
 
-    RowWriter writer(options, cell_entries(sweep.fixed()), sweep.fixed().has(Key::population));
+    RowWriter writer(options, cell_entries(sweep.fixed()), sweep.fixed().has(Key::population),
+                     passage_entries(sweep.fixed()));
     if (!options.shard || options.shard->piece == 1) sink(writer.head());
     const RowRange rows = rows_of(options.shard.value_or(Shard{.piece = 1, .pieces = 1}), sweep.size());
     for (std::size_t begin = rows.begin; begin < rows.end; begin += chunk_rows) {

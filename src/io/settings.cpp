@@ -134,7 +134,7 @@ const std::array<KeyInfo, key_count>& key_table() {
          "radial positions of cells: lengths or cell radii, 0,1.5Rc,20um"},
         {Key::profile, "profile", "", "", dimensionless, false, "add a radial profile of N points"},
         {Key::model, "model", "", "", std::nullopt, false,
-         "ellipsoid: follow the centred cell through the exit in time (default); steady: the paper's theory "
+         "ellipsoid: follow the cells through nozzle and exit in time (default); steady: the paper's theory "
          "alone"},
         {Key::population, "population", "", "", std::nullopt, false,
          "the distribution of the peak stress over all cells of a print"},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "bioprint/errors.hpp"
 #include "bioprint/io/number_format.hpp"
@@ -21,8 +22,14 @@ std::string_view scene_name(SceneKind scene) {
             return "channel";
         case SceneKind::exit:
             return "exit";
+        case SceneKind::shear:
+            return "shear";
     }
     return "";
+}
+
+std::string_view drive_name(ChannelDrive drive) {
+    return drive == ChannelDrive::flow_rate ? "flow_rate" : "pressure_gradient";
 }
 
 std::string_view fidelity_name(const SimulationQuestion& question) {
@@ -92,6 +99,9 @@ Json simulation_object(const Comparison& comparison, const SimulationQuestion& q
     Json object;
     object["scene"] = scene_name(run.scene);
     object["fidelity"] = fidelity_name(question);
+    if (run.scene != SceneKind::exit_flow) object["offset"] = finite(run.offset);
+    if (run.scene == SceneKind::channel) object["drive"] = drive_name(run.drive);
+    if (run.fluid_stress > 0.0) object["fluid_stress"] = finite(run.fluid_stress);
     object["lattice"] = lattice_object(run.lattice);
     object["steps"] = run.steps;
     object["wall_time"] = finite(run.wall_time);
@@ -113,7 +123,7 @@ struct ValueName {
 
 const ValueName& label_of(std::string_view name) {
     using enum Dimension;
-    static constexpr std::array<ValueName, 18> names = {{
+    static constexpr std::array<ValueName, 23> names = {{
         {"pressure_gradient", "pressure gradient", Dimension::pressure_gradient},
         {"velocity_max", "largest velocity", velocity},
         {"radial_velocity_max", "largest radial velocity", velocity},
@@ -132,6 +142,11 @@ const ValueName& label_of(std::string_view name) {
         {"stretch_radial_max", "largest stretch across", dimensionless},
         {"peak_position", "peak behind the lip", length},
         {"relaxation_time", "relaxation time", time},
+        {"angle", "inclination to the flow", dimensionless},
+        {"frequency", "tank-treading frequency", rate},
+        {"viscous", "viscous stress inside", pressure},
+        {"radial_position", "distance from the axis", length},
+        {"migration_velocity", "migration from the axis", velocity},
     }};
     static constexpr ValueName unknown{"", "value", dimensionless};
     const auto found =
@@ -144,24 +159,51 @@ std::string lab(double value, Dimension dimension) {
     return n.unit.empty() ? n.number : n.number + " " + n.unit;
 }
 
+std::string shown(double value, const ValueName& name) {
+    if (name.name == "angle") {
+        return format_lab(value * 180.0 / std::numbers::pi, Dimension::dimensionless).number + " °";
+    }
+    return lab(value, name.dimension);
+}
+
+/// Off the axis the three stretches are those of the ellipsoid's own axes.
+std::string label_in(const SimulationResult& run, const ValueName& name) {
+    const bool in_space = run.scene == SceneKind::shear || run.offset > 0.0;
+    if (in_space && name.name == "stretch.0") return "stretch, longest axis";
+    if (in_space && name.name == "stretch.1") return "stretch, shortest axis";
+    if (in_space && name.name == "stretch.2") return "stretch, sideways";
+    return std::string(name.label);
+}
+
+/// "exit", "channel, cell 24 µm off the axis, flow rate kept", "shear at 300 Pa".
+std::string scene_title(const SimulationResult& run) {
+    std::string title(scene_name(run.scene));
+    if (run.scene == SceneKind::shear) return title + " at " + lab(run.fluid_stress, Dimension::pressure);
+    if (run.offset > 0.0) title += ", cell " + lab(run.offset, Dimension::length) + " off the axis";
+    if (run.scene == SceneKind::channel) {
+        title += run.drive == ChannelDrive::flow_rate ? ", flow rate kept" : ", pressure gradient kept";
+    }
+    return title;
+}
+
 std::string simulation_table(const Comparison& comparison, const SimulationQuestion& question,
                              TableStyle style) {
     std::vector<std::vector<std::string>> rows = {
         {"", "predicted", "simulated", "difference", "numerical error"}};
+    const SimulationResult& run = comparison.run;
+    const bool in_space = run.scene == SceneKind::shear || run.offset > 0.0;
     for (const ComparedValue& value : comparison.values) {
         const ValueName& name = label_of(value.name);
-        if (value.name == "stretch.2") continue;  // as stretch.1
+        if (value.name == "stretch.2" && !in_space) continue;  // as stretch.1
         const std::optional<double> off = difference(value);
         const double error = value.simulated == 0.0 ? 0.0 : std::abs(value.error / value.simulated);
-        rows.push_back({std::string(name.label),
-                        value.predicted ? lab(*value.predicted, name.dimension) : "–",
-                        lab(value.simulated, name.dimension),
+        rows.push_back({label_in(run, name), value.predicted ? shown(*value.predicted, name) : "–",
+                        shown(value.simulated, name),
                         off ? format_lab(100.0 * *off, Dimension::dimensionless, 2).number + " %" : "–",
                         format_lab(100.0 * error, Dimension::dimensionless, 2).number + " %"});
     }
-    const SimulationResult& run = comparison.run;
-    std::string text = "\n" + table_heading("Simulation: " + std::string(scene_name(run.scene)), style) +
-                       table_grid(rows, 1) + "  " +
+    std::string text = "\n" + table_heading("Simulation: " + scene_title(run), style) + table_grid(rows, 1) +
+                       "  " +
                        format_lab(run.lattice.nodes_per_cell_radius, Dimension::dimensionless, 3).number +
                        " nodes a cell radius (" + std::string(fidelity_name(question)) + "), " +
                        std::to_string(run.steps) + " steps in " + lab(run.wall_time, Dimension::time) + "\n";
@@ -202,24 +244,35 @@ std::string breakdown(const SimulationResult& run) {
 
 }  // namespace
 
-SceneKind scene_of(std::string_view name, const Prediction& prediction) {
-    const auto& positions = prediction.question.positions;
-    const bool centred =
-        std::any_of(positions.begin(), positions.end(), [](const auto& p) { return p.value == 0.0; });
+namespace {
+
+bool is_scene(std::string_view name) {
+    return name == "shear" || name == "channel" || name == "exit-flow" || name == "exit" || name == "auto";
+}
+
+SceneKind kind_of(std::string_view name) {
+    if (name == "shear") return SceneKind::shear;
     if (name == "exit-flow") return SceneKind::exit_flow;
-    if (name != "channel" && name != "exit" && name != "auto") {
-        throw UsageError(
-            "--simulate: got '" + std::string(name) + "'; it takes exit-flow, channel, exit or auto",
-            "--simulate");
-    }
-    if (!centred) {
-        throw UsageError(
-            "--simulate: the cell's scenes are simulated on the axis and no position of this question is; "
-            "add 0 to --offset, or ask for --simulate=exit-flow",
-            "--simulate");
-    }
     return name == "channel" ? SceneKind::channel : SceneKind::exit;
 }
+
+std::string in_micrometres(double offset) {
+    return format_lab(offset, Dimension::length).number + " " + format_lab(offset, Dimension::length).unit;
+}
+
+/// Of the positions that `fits`, the one on the axis, else the first.
+template <class Fits>
+std::optional<double> pick_position(const std::vector<CellPosition>& positions, const Fits& fits) {
+    std::optional<double> first;
+    for (const CellPosition& p : positions) {
+        if (!fits(p.value)) continue;
+        if (p.value == 0.0) return 0.0;
+        if (!first) first = p.value;
+    }
+    return first;
+}
+
+}  // namespace
 
 SimulatedName simulated_name(std::string_view name) {
     const ValueName& value = label_of(name);
@@ -236,6 +289,46 @@ Json simulated_answer_object(const Prediction& prediction, const Comparison& com
         answer["warnings"].push_back({{"code", code}, {"message", warning.message}});
     }
     return answer;
+}
+
+ChosenScene choose_scene(const SimulationQuestion& question, const Prediction& prediction) {
+    if (!is_scene(question.scene)) {
+        throw UsageError(
+            "--simulate: got '" + question.scene + "'; it takes shear, channel, exit-flow, exit or auto",
+            "--simulate");
+    }
+    ChosenScene chosen{.scene = {.kind = kind_of(question.scene)}, .remark = {}};
+    const SceneKind kind = chosen.scene.kind;
+    if (question.fluid_stress && kind != SceneKind::shear) {
+        throw UsageError("--fluid-stress: belongs to --simulate=shear; elsewhere the flow sets it",
+                         "--fluid-stress");
+    }
+    if (question.channel_time && kind != SceneKind::channel && kind != SceneKind::exit) {
+        throw UsageError("--channel-time: belongs to the scenes channel and exit", "--channel-time");
+    }
+    if (kind == SceneKind::exit_flow) return chosen;
+    if (kind == SceneKind::shear && question.fluid_stress) {
+        chosen.scene.fluid_stress = question.fluid_stress;
+        return chosen;
+    }
+    const auto& positions = prediction.question.positions;
+    const std::optional<double> position =
+        pick_position(positions, [&](double r) { return kind != SceneKind::shear || r > 0.0; });
+    if (!position) {
+        throw UsageError(
+            "--simulate: the shear scene takes the ink's stress at a position off the axis and this question "
+            "has "
+            "none; add one to --offset, or give --fluid-stress",
+            "--simulate");
+    }
+    chosen.scene.offset = *position;
+    if (positions.size() > 1) {
+        chosen.remark =
+            "simulated: the cell " +
+            (*position == 0.0 ? std::string("on the axis") : in_micrometres(*position) + " off the axis") +
+            "; --offset chooses another";
+    }
+    return chosen;
 }
 
 double resolution_of(const SimulationQuestion& question) {
@@ -259,16 +352,23 @@ void answer_with_simulation(const Settings& settings, const SimulationQuestion& 
         throw UsageError("--format: a simulation is answered as table, json or jsonl", "--format");
     }
     const Prediction prediction = predict(settings.make_case());
-    const SceneKind scene = scene_of(question.scene, prediction);
-    if (scene != SceneKind::exit_flow && prediction.question.cell.viscosity_ratio != 1.0) {
+    const ChosenScene chosen = choose_scene(question, prediction);
+    if (chosen.scene.kind != SceneKind::exit_flow && prediction.question.cell.viscosity_ratio != 1.0) {
         throw UsageError(
             "--viscosity-ratio: the simulated cell is filled with the ink; leave it at 1 with --simulate",
             "--viscosity-ratio");
     }
     simulation.resolution = resolution_of(question);
+    simulation.channel_time = question.channel_time.value_or(0.0);
+    const auto remarked = [&](Comparison comparison) {
+        if (!chosen.remark.empty()) {
+            comparison.run.warnings.push_back({.code = "simulated-position", .message = chosen.remark});
+        }
+        return comparison;
+    };
     if (files != nullptr) files->attach(simulation);
     try {
-        const Comparison comparison = compare_with_simulation(prediction, scene, simulation);
+        const Comparison comparison = remarked(compare_with_simulation(prediction, chosen.scene, simulation));
         const std::string failure = breakdown(comparison.run);
         if (!failure.empty()) throw SimulationIncomplete(failure, comparison.run);
         if (files != nullptr) {
@@ -280,7 +380,7 @@ void answer_with_simulation(const Settings& settings, const SimulationQuestion& 
         if (seen) seen(prediction, comparison);
     } catch (const SimulationIncomplete& e) {
         if (files != nullptr) files->write_series(e.result().series);
-        write(prediction, compare(prediction, e.result()), question, options, sink);
+        write(prediction, remarked(compare(prediction, e.result())), question, options, sink);
         throw;
     }
 }

@@ -15,13 +15,23 @@ namespace bioprint {
 enum class Fidelity { draft, standard, fine };
 
 struct SimulationQuestion {
-    std::string scene = "auto";  ///< exit-flow, channel, exit, or auto
+    std::string scene = "auto";  ///< shear, channel, exit-flow, exit, or auto
     Fidelity fidelity = Fidelity::standard;
-    std::optional<double> resolution;  ///< nodes a cell radius; overrides the fidelity's 3, 6 or 12
+    std::optional<double> resolution;    ///< nodes a cell radius; overrides the fidelity's 3, 6 or 12
+    std::optional<double> fluid_stress;  ///< of the shear scene [Pa]
+    std::optional<double> channel_time;  ///< how long the cell stays in the nozzle [s]
 };
 
+/// A scene and the position it is simulated for.
+struct ChosenScene {
+    SceneChoice scene;
+    std::string remark;  ///< which of several positions was taken; empty: there was no choice
+};
+
+/// Of several positions the one on the axis is simulated, which costs seconds; else the first. The shear scene takes
+/// the first off the axis.
 /// @throws UsageError  not a scene, or one that this question does not fit
-SceneKind scene_of(std::string_view name, const Prediction& prediction);
+ChosenScene choose_scene(const SimulationQuestion& question, const Prediction& prediction);
 double resolution_of(const SimulationQuestion& question);
 
 /// Predicts, simulates and writes the answer. What an interrupted run had is written before its error goes

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "bioprint/predict/streamline_passage.hpp"
+
 namespace bioprint {
 namespace {
 
@@ -23,6 +25,35 @@ Series predicted(const PictureData& data, std::string title, Member member, int 
         series.y.push_back(state.*member);
     }
     return series;
+}
+
+/// The predicted way of a cell off the axis: stress and the two stretches in the plane of its streamline.
+struct OffsetWay {
+    std::vector<double> x;
+    std::vector<double> von_mises;
+    std::vector<double> largest;
+    std::vector<double> least;
+};
+
+OffsetWay way_of(const PictureData& data, double offset) {
+    constexpr int points_a_radius = 40;
+    const Case& question = data.question;
+    const NozzleFlow flow =
+        NozzleFlow::from_wall_rate(question.ink.law, question.radius, data.prediction.nozzle.shear_rate_max);
+    OffsetWay way;
+    streamline_passage(flow,
+                       {.start_radius = offset,
+                        .shear_modulus = question.cell.shear_modulus,
+                        .viscosity_ratio = question.cell.viscosity_ratio,
+                        .cell_radius = question.cell.radius,
+                        .observe_every = question.radius / points_a_radius},
+                       [&](const StreamlineState& state) {
+                           way.x.push_back(state.position);
+                           way.von_mises.push_back(state.von_mises);
+                           way.largest.push_back(std::max(state.stretch[0], state.stretch[1]));
+                           way.least.push_back(std::min(state.stretch[0], state.stretch[1]));
+                       });
+    return way;
 }
 
 Series simulated(const Comparison& comparison, std::string_view x, std::string_view y, std::string title,
@@ -91,7 +122,26 @@ std::vector<Panel> exit_panels(const PictureData& data, const Comparison& compar
     return {std::move(stress), std::move(stretch)};
 }
 
-std::vector<Panel> channel_panels(const Comparison& comparison) {
+std::vector<Panel> offset_exit_panels(const PictureData& data, const Comparison& comparison) {
+    const OffsetWay way = way_of(data, comparison.run.offset);
+    return {{.title = "Stress of the cell through the exit",
+             .x = place_axis(data),
+             .y = {.title = "von Mises stress", .dimension = Dimension::pressure},
+             .series = {{.title = "predicted", .x = way.x, .y = way.von_mises, .style = 0},
+                        simulated(comparison, "x [m]", "von_mises [Pa]", "simulated", 2)},
+             .verticals = {0.0}},
+            {.title = "Stretch of the cell",
+             .x = place_axis(data),
+             .y = {.title = "length over length at rest", .min = 0.0},
+             .series = {{.title = "predicted, longest", .x = way.x, .y = way.largest, .style = 0},
+                        simulated(comparison, "x [m]", "stretch_1", "simulated, longest", 2),
+                        {.title = "predicted, shortest", .x = way.x, .y = way.least, .style = 1},
+                        simulated(comparison, "x [m]", "stretch_2", "simulated, second", 4)},
+             .verticals = {0.0}}};
+}
+
+/// A cell in a steady flow, over time; on the axis it has one length along the flow and one across.
+std::vector<Panel> steady_panels(const Comparison& comparison) {
     const std::vector<double> time = column_of(comparison.run.series, "time [s]");
     const auto level = [&](std::string_view name) {
         Series series{.title = "predicted, settled", .style = 0};
@@ -103,19 +153,21 @@ std::vector<Panel> channel_panels(const Comparison& comparison) {
         return series;
     };
     const double end = time.empty() ? 0.0 : time.back();
-    const Axis axis{.title = "time in the nozzle", .dimension = Dimension::time, .min = 0.0};
+    const Axis axis{.title = "time in the flow", .dimension = Dimension::time, .min = 0.0};
     return {
-        {.title = "Stress of the centred cell",
+        {.title = "Stress of the cell",
          .x = axis,
          .y = {.title = "von Mises stress", .dimension = Dimension::pressure},
          .series = {level("von_mises"), simulated(comparison, "time [s]", "von_mises [Pa]", "simulated", 2),
                     bar(comparison, "von_mises", end, 2)}},
-        {.title = "Stretch of the centred cell",
+        {.title = "Stretch of the cell",
          .x = axis,
          .y = {.title = "length over length at rest", .min = 0.5},
          .series = {level("stretch.0"),
                     simulated(comparison, "time [s]", "stretch_axial", "simulated, along", 2),
-                    simulated(comparison, "time [s]", "stretch_radial", "simulated, across", 4)}}};
+                    simulated(comparison, "time [s]", "stretch_radial", "simulated, across", 4),
+                    simulated(comparison, "time [s]", "stretch_1", "simulated, longest", 2),
+                    simulated(comparison, "time [s]", "stretch_2", "simulated, second", 4)}}};
 }
 
 std::vector<Panel> flow_panels(const PictureData& data, const Comparison& comparison) {
@@ -143,9 +195,11 @@ std::vector<Panel> flow_panels(const PictureData& data, const Comparison& compar
 std::vector<Panel> panels_of(const PictureData& data, const Comparison& comparison) {
     switch (comparison.run.scene) {
         case SceneKind::exit:
-            return exit_panels(data, comparison);
+            return comparison.run.offset > 0.0 ? offset_exit_panels(data, comparison)
+                                               : exit_panels(data, comparison);
         case SceneKind::channel:
-            return channel_panels(comparison);
+        case SceneKind::shear:
+            return steady_panels(comparison);
         case SceneKind::exit_flow:
             return flow_panels(data, comparison);
     }

@@ -147,11 +147,17 @@ std::string_view model_label(Model model) {
         case Model::roscoe_shear:
             return "shear";
         case Model::roscoe_elongation:
-            return "(steady)";
+            return "elongation";
         case Model::ellipsoid:
             return "ellipsoid";
     }
     return "";
+}
+
+/// Whether an entry is what the steady theory says of the same cell at the same place.
+bool is_steady_twin(const CellAnswer& steady, const CellAnswer& carried) {
+    return carried.model == Model::ellipsoid && steady.model != Model::ellipsoid &&
+           steady.place == carried.place && steady.offset == carried.offset;
 }
 
 std::string cells_section(const Prediction& prediction, TableStyle style) {
@@ -164,23 +170,53 @@ std::string cells_section(const Prediction& prediction, TableStyle style) {
     std::vector<std::vector<std::string>> rows = {
         {"place", "offset", "fluid", "von Mises", "viscous", "stretch", "", "", "angle", "model"},
         {"", "µm", unit_name, unit_name, unit_name, "α1", "α2", "α3", "°", ""}};
-    // At the exit the cell carried in time leads; the steady theory stands in brackets below it.
+    // The cell carried in time leads; the steady theory stands in brackets below it.
     std::vector<const CellAnswer*> order;
     for (const CellAnswer& cell : prediction.cells) {
         order.push_back(&cell);
-        if (cell.model == Model::ellipsoid) std::iter_swap(order.end() - 1, order.end() - 2);
+        if (order.size() > 1 && cell.model == Model::ellipsoid && is_steady_twin(**(order.end() - 2), cell))
+            std::iter_swap(order.end() - 1, order.end() - 2);
     }
-    for (const CellAnswer* const entry : order) {
-        const CellAnswer& cell = *entry;
+    for (auto entry = order.begin(); entry != order.end(); ++entry) {
+        const CellAnswer& cell = **entry;
+        const bool second = entry != order.begin() && is_steady_twin(cell, **(entry - 1));
         const auto stress = [&](double value) { return format_in(value, unit, 4); };
         const auto stretch = [&](std::size_t i) { return cell.stretch ? plain((*cell.stretch)[i]) : "–"; };
         rows.push_back({cell.place == Place::nozzle ? "nozzle" : "exit", plain(cell.offset * 1e6),
                         stress(cell.fluid_stress), cell.stress ? stress(cell.stress->von_mises) : "–",
                         cell.stress ? stress(cell.stress->viscous) : "–", stretch(0), stretch(1), stretch(2),
                         cell.angle ? plain(*cell.angle * 180.0 / std::numbers::pi, 3) : "–",
-                        std::string(model_label(cell.model))});
+                        second ? "(steady)" : std::string(model_label(cell.model))});
     }
     return "\n" + heading("Cells: stress of the ink, stress and stretch of the cell", style) + grid(rows, 1);
+}
+
+/// Where each carried cell bears its largest stress, and whether the nozzle is long enough for it to settle.
+std::string passages_section(const Prediction& prediction, TableStyle style) {
+    if (prediction.passages.empty()) return {};
+    double largest = 0.0;
+    for (const PassageAnswer& p : prediction.passages) largest = std::max(largest, p.von_mises);
+    const LabUnit& unit = choose_lab_unit(largest, Dimension::pressure);
+    const bool has_length = prediction.question.length.has_value();
+    std::vector<std::vector<std::string>> rows = {
+        {"offset", "largest", "where", "from lip", "in nozzle", "settled", "at exit"},
+        {"µm", std::string(unit.name), "", "µm", std::string(unit.name), std::string(unit.name),
+         std::string(unit.name)}};
+    if (has_length) {
+        rows[0].insert(rows[0].end(), {"settles in", "exposure"});
+        rows[1].insert(rows[1].end(), {"", "Pa s"});
+    }
+    for (const PassageAnswer& p : prediction.passages) {
+        const auto stress = [&](double value) { return format_in(value, unit, 4); };
+        rows.push_back({plain(p.offset * 1e6), stress(p.von_mises),
+                        p.place == Place::nozzle ? "nozzle" : "exit",
+                        p.position ? plain(*p.position * 1e6) : "–", stress(p.nozzle_peak),
+                        stress(p.nozzle_steady), stress(p.exit_peak)});
+        if (!has_length) continue;
+        rows.back().push_back(p.settling_time ? lab(*p.settling_time, Dimension::time) : "not");
+        rows.back().push_back(plain(p.nozzle_exposure.value_or(0.0) + p.exit_exposure));
+    }
+    return "\n" + heading("Way of each cell: its largest von Mises stress, and where", style) + grid(rows, 0);
 }
 
 std::string population_section(const Population& population, const std::vector<double>& thresholds,
@@ -224,6 +260,8 @@ std::string notes_section(const std::vector<Warning>& warnings, TableStyle style
 
 double nozzle_stress(const Prediction& prediction) {
     double largest = 0.0;
+    for (const PassageAnswer& passage : prediction.passages) largest = std::max(largest, passage.nozzle_peak);
+    if (!prediction.passages.empty()) return largest;
     for (const CellAnswer& cell : prediction.cells) {
         if (cell.place == Place::nozzle && cell.stress) largest = std::max(largest, cell.stress->von_mises);
     }
@@ -231,13 +269,16 @@ double nozzle_stress(const Prediction& prediction) {
 }
 
 std::optional<double> exit_stress(const Prediction& prediction) {
-    std::optional<double> stress;
+    const CellAnswer* best = nullptr;
     for (const CellAnswer& cell : prediction.cells) {
         if (cell.place != Place::exit) continue;
-        if (cell.stress) stress = cell.stress->von_mises;
-        if (!cell.stress && cell.model == Model::ellipsoid) stress.reset();
+        if (best == nullptr || cell.offset < best->offset ||
+            (cell.offset == best->offset && cell.model == Model::ellipsoid)) {
+            best = &cell;
+        }
     }
-    return stress;
+    if (best == nullptr || !best->stress) return std::nullopt;
+    return best->stress->von_mises;
 }
 
 std::string table_heading(std::string_view text, TableStyle style) {
@@ -250,7 +291,8 @@ std::string table_grid(const std::vector<std::vector<std::string>>& rows, std::s
 
 std::string answer_table(const Prediction& prediction, TableStyle style) {
     std::string out = input_section(prediction, style) + nozzle_section(prediction.nozzle, style) +
-                      exit_section(prediction.exit, style) + cells_section(prediction, style);
+                      exit_section(prediction.exit, style) + cells_section(prediction, style) +
+                      passages_section(prediction, style);
     if (prediction.population) {
         out += population_section(*prediction.population, prediction.question.thresholds, style);
     }

@@ -21,9 +21,10 @@ struct TableStyle {
 std::string table_heading(std::string_view text, TableStyle style);
 std::string table_grid(const std::vector<std::vector<std::string>>& rows, std::size_t left);
 
-/// The largest stress of a cell in the nozzle [Pa].
+/// The largest stress of a cell in the nozzle, on the way where the cells were carried [Pa].
 double nozzle_stress(const Prediction& prediction);
-/// The stress of a cell at the exit by the better model: carried in time where that was asked for, else steady [Pa].
+/// The stress at the exit of the cell nearest to the axis by the better model: carried in time where that was
+/// asked for, else steady [Pa]. Further out a cell's stress at the exit is mostly what the nozzle left in it.
 std::optional<double> exit_stress(const Prediction& prediction);
 
 std::string answer_table(const Prediction& prediction, TableStyle style);

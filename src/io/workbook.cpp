@@ -194,7 +194,8 @@ std::vector<ChartColumn> charted(const Sheet& sheet) {
     for (std::size_t i = 0; i < sheet.names().size(); ++i) {
         const std::string& name = sheet.names()[i];
         if (name == "nozzle.stress_max [Pa]") columns.push_back({i, "ink at the wall of the nozzle"});
-        if (name.starts_with("cells.") && name.ends_with(".model") && sheet.seen()[i].text == "ellipsoid") {
+        if (name.starts_with("cells.") && name.ends_with(".model") && sheet.seen()[i].text == "ellipsoid" &&
+            carried.empty()) {
             carried =
                 name.substr(0, name.size() - std::string_view("model").size()) + "stress.von_mises [Pa]";
         }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "lattice/d3q19_kernel.hpp"
@@ -121,6 +122,11 @@ class D3q19 {
     [[nodiscard]] Real* force(int axis, int row) { return force_[axis] + offset(row); }
     [[nodiscard]] const Real* velocity(int axis, int row) const { return velocity_[axis] + offset(row); }
 
+    /// Everything a fresh lattice of the same setup needs to go on to the same numbers; needs `whole()`.
+    [[nodiscard]] std::vector<double> state() const;
+    /// @throws DataError  the numbers are of another lattice
+    void restore(std::span<const double> state);
+
     /// Bytes a step moves through memory: every population read and written once, the rate kept, the fields
     /// of coupled rows.
     [[nodiscard]] double bytes_per_step() const;
@@ -164,6 +170,9 @@ class D3q19 {
 
     [[nodiscard]] std::ptrdiff_t offset(int row) const { return static_cast<std::ptrdiff_t>(row) * pitch_; }
     [[nodiscard]] Real* slot(int q, int row) const { return f_[q] + offset(row); }
+    /// Visits every row of numbers that a state consists of.
+    template <class Visit>
+    void each_state_row(const Visit& visit) const;
     void build_rows();
     int ghost_row(int y, int z);
     void build_links();

@@ -7,8 +7,8 @@
 #include "bioprint/errors.hpp"
 #include "bioprint/flow/nozzle_exit.hpp"
 #include "bioprint/flow/nozzle_flow.hpp"
-#include "bioprint/predict/exit_passage.hpp"
 #include "bioprint/predict/prediction.hpp"
+#include "predict/carried_cells.hpp"
 #include "predict/warnings.hpp"
 
 namespace bioprint {
@@ -76,20 +76,6 @@ NozzleAnswer nozzle_answer(const NozzleFlow& flow, const Case& question) {
     return answer;
 }
 
-CellAnswer blank_cell(Place place, Model model, double offset, double fluid_stress, const CellChoice& cell) {
-    return {.place = place,
-            .model = model,
-            .offset = offset,
-            .offset_in_cell_radii = offset / cell.radius,
-            .fluid_stress = fluid_stress,
-            .stress_ratio = fluid_stress / cell.shear_modulus,
-            .stretch = std::nullopt,
-            .angle = std::nullopt,
-            .frequency = std::nullopt,
-            .stress = std::nullopt,
-            .relaxation_time = std::nullopt};
-}
-
 void fill(CellAnswer& answer, const EllipsoidState& state) {
     answer.stretch = state.stretch;
     answer.angle = state.angle;
@@ -135,52 +121,6 @@ CellAnswer cell_in_exit(const NozzleFlow& flow, const ExitAnswer& exit, const Ce
     answer.relaxation_time =
         relaxation_time(viscosity(flow.ink(), 0.0), cell.shear_modulus, cell.viscosity_ratio);
     return answer;
-}
-
-/// The centred cell carried through the exit, at the moment of its largest stress.
-void add_exit_passage(const NozzleFlow& flow, Prediction& prediction) {
-    const CellChoice& cell = prediction.question.cell;
-    CellAnswer answer = blank_cell(Place::exit, Model::ellipsoid, 0.0, 0.0, cell);
-    answer.relaxation_time =
-        relaxation_time(viscosity(flow.ink(), 0.0), cell.shear_modulus, cell.viscosity_ratio);
-    if (flow.velocity_average() == 0.0) {  // at rest nothing happens
-        answer.stretch = {1.0, 1.0, 1.0};
-        answer.stress = CellStress{};
-        prediction.cells.push_back(answer);
-        return;
-    }
-    try {
-        const ExitPassageRequest request =
-            exit_passage_request(flow, {.radius = cell.radius,
-                                        .shear_modulus = cell.shear_modulus,
-                                        .viscosity_ratio = cell.viscosity_ratio});
-        const ExitPassage exit = exit_passage(flow, request);
-        if (!request.effects.quadratic_flow) {
-            prediction.warnings.push_back(
-                {"no_bullet",
-                 "this cell is too soft to keep a shape in the nozzle (G R_c/μ above 1.3): the ellipsoid "
-                 "starts round before the exit and leaves out what the flow's curvature does to it"});
-        }
-        const AxisCellState& peak = exit.passage.peak;
-        const double axial = peak.axial_stretch * peak.axial_stretch;
-        const double radial = 1.0 / peak.axial_stretch;
-        const double mean = cell.shear_modulus / 3.0 * 2.0 * (axial - radial);
-        answer.fluid_stress = peak.fluid_stress;
-        answer.stress_ratio = peak.fluid_stress / cell.shear_modulus;
-        answer.stretch = {peak.axial_stretch, peak.radial_stretch, peak.radial_stretch};
-        answer.stress = CellStress{
-            .von_mises = peak.von_mises, .elastic = {mean, -0.5 * mean, -0.5 * mean}, .viscous = 0.0};
-        if (exit.extrapolated) {
-            prediction.warnings.push_back(
-                {"exit_extrapolated",
-                 "the exit flow of this ink and speed lies outside the tabulated ones: the ellipsoid "
-                 "there uses the nearest profile"});
-        }
-    } catch (const Error& e) {
-        prediction.warnings.push_back(
-            {"no_transient", std::string("the cell could not be followed through the exit: ") + e.what()});
-    }
-    prediction.cells.push_back(answer);
 }
 
 void add_population(const NozzleFlow& flow, Prediction& prediction) {
@@ -251,23 +191,27 @@ Prediction predict(const Case& question) {
         .nozzle = nozzle_answer(flow, question),
         .exit = {.elongation_rate = exit.elongation_rate, .elongational_stress = exit.elongational_stress},
         .cells = {},
+        .passages = {},
         .profile = std::nullopt,
         .population = std::nullopt,
         .warnings = {}};
     require_finite(prediction.nozzle, prediction.exit);
     prediction.question.positions = resolve_positions(question);
+    std::optional<CarriedCells> carried;
+    if (question.transient) carried.emplace(flow, prediction);
     for (const CellPosition& position : prediction.question.positions) {
         prediction.cells.push_back(cell_in_nozzle(flow, question.cell, position.value));
         if (position.value == 0.0) {
             prediction.cells.push_back(cell_in_exit(flow, prediction.exit, question.cell));
-            if (question.transient) add_exit_passage(flow, prediction);
         }
+        if (carried) carried->add(flow, position.value, prediction);
     }
     if (!std::isfinite(flow.pressure_gradient() * question.cell.radius / question.cell.shear_modulus))
         refuse_range();
     for (const CellAnswer& cell : prediction.cells) require_finite(cell);
     if (question.population) add_population(flow, prediction);
     if (question.profile_points > 0) prediction.profile = profile_of(flow, question.profile_points);
+    judge_steady_models(prediction, flow);
     std::vector<Warning> warnings = warnings_of(prediction, flow);
     prediction.warnings.insert(prediction.warnings.begin(), std::make_move_iterator(warnings.begin()),
                                std::make_move_iterator(warnings.end()));

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bioprint/cell/bullet.hpp"
 #include "bioprint/cell/roscoe.hpp"
 #include "bioprint/errors.hpp"
 #include "numerics/rosenbrock.hpp"
+#include "predict/nozzle_start_up.hpp"
 #include "predict/scan.hpp"
 #include "predict/streamline.hpp"
 #include "predict/streamline_path.hpp"
@@ -19,11 +19,6 @@ constexpr double after = StreamlinePath::after;
 constexpr double felt = 1.5;  // further in, what stands is the nozzle's stress
 constexpr double tolerance = 1e-6;
 constexpr int most_steps = 20000;
-/// A cell so soft that it takes longer is followed no further and counts as unsettled.
-constexpr double most_strain = 3000.0;
-/// Closer to its steady shape than this a cell has settled, and the rest of the nozzle is steady.
-constexpr double at_rest = 2e-5;
-
 /// B − 1 of Roscoe's ellipsoid in a shear whose velocity falls with r: its long axis leans towards −r.
 PlanarStrain settled_strain(const EllipsoidState& cell) {
     const double c = std::cos(*cell.angle);
@@ -62,9 +57,9 @@ class Follower {
         double from = -before * radius_;
         if (!request_.length) {
             observe_(settled_state(from, 0.0, 0.0));
-            result_.nozzle_end = settled_state(nozzle_end_, 0.0, 0.0);
+            result_.nozzle_end = settled_state(from, 0.0, 0.0);
         } else if (*request_.length > before * radius_) {
-            state = start_up();
+            state = enter();
         } else {
             from = -*request_.length;
             state = {};
@@ -128,62 +123,33 @@ class Follower {
     }
 
     /// From round at the entrance through the developed shear to where the exit is felt at all.
-    PlanarState start_up() {
-        const double mu = request_.shear_modulus;
-        const double lambda = request_.viscosity_ratio;
-        const double duration = (*request_.length - before * radius_) / velocity_;
-        const double relaxation = (1.5 + lambda) * viscosity_ / mu;
-        const double followed = std::min({duration, 30.0 * (relaxation + 1.0 / rate_), most_strain / rate_});
-        const double steady = result_.nozzle_steady;
-        const auto linear = [&](double t) {
-            return size_.nozzle_linear() > 0.0
-                       ? size_.nozzle_linear() * bullet_growth(t * mu / viscosity_, lambda)
-                       : 0.0;
-        };
-        const auto place = [&](double t) { return velocity_ * t - *request_.length; };
-        Scan scan(0.0, 0.0);
-        double settled_at = 0.0;
-        bool rests = false;
-        observe_(nozzle_state({}, 0.0, place(0.0), 0.0, 0.0));
-        const auto take = [&](const OdeStep<3>& step) {
-            const double length = step.to - step.from;
-            const auto value = [&](double theta) {
-                return stress(planar_strain(step.at(theta)), linear(step.from + theta * length));
-            };
-            scan.take(step.from, step.to, value, [](double) { return 1.0; });
-            for (const double theta : {0.25, 0.5, 0.75, 1.0}) {
-                if (std::abs(value(theta) - steady) > 0.05 * steady) settled_at = step.from + theta * length;
-            }
-            const PlanarStrain strain = planar_strain(step.end);
-            observe_(nozzle_state(strain, linear(step.to), place(step.to), step.to, scan.integral()));
-            rests = close(strain) && step.to * mu / viscosity_ > 11.0 * (19.0 / 16.0 + lambda);
-            return !rests;
-        };
-        const double load = std::clamp(fluid_stress_ / mu, 1e-30, 1.0);
-        const OdeOptions options{.tolerance = tolerance,
-                                 .first_step = 0.1 * std::min(followed, relaxation),
-                                 .max_steps = most_steps};
-        const auto done =
-            dormand_prince<3>([&](double, const PlanarState& y) { return cell_.derivative(shear(), y); }, 0.0,
-                              followed, PlanarState{}, {load, load, load}, options, take);
-        if (!done.finished) throw NotConverged("cell off the axis: the start-up in the nozzle gave up");
-        const PlanarState end = rests ? planar_state(steady_strain_) : done.y;
-        result_.nozzle_peak = scan.top().value;
-        result_.nozzle_peak_position = place(scan.top().at);
-        result_.settles = rests || settled_at < 0.95 * followed;
-        if (*result_.settles) result_.settling_time = settled_at;
-        exposure_ = scan.integral() + (duration - done.x) * (rests ? steady : scan.last());
-        result_.exposure = exposure_;
+    PlanarState enter() {
+        const double length = *request_.length;
+        const double duration = (length - before * radius_) / velocity_;
+        const auto place = [&](double t) { return velocity_ * t - length; };
+        const StartUp start =
+            start_up({.shear = shear(),
+                      .cell = cell_,
+                      .settled = steady_strain_,
+                      .linear = size_.nozzle_linear(),
+                      .duration = duration},
+                     [&](const StartUpState& s) {
+                         observe_(nozzle_state(s.strain, s.linear, place(s.time), s.time, s.exposure));
+                     });
+        result_.nozzle_peak = start.peak;
+        result_.nozzle_peak_position = place(start.peak_time);
+        result_.settles = start.settles;
+        result_.settling_time = start.settling_time;
+        result_.exposure = start.exposure;
+        result_.nozzle_end =
+            start.at_rest ? settled_state(-before * radius_, duration, start.exposure)
+                          : nozzle_state(planar_strain(start.end), start.growth * size_.nozzle_linear(),
+                                         -before * radius_, duration, start.exposure);
+        observe_(result_.nozzle_end);
+        exposure_ = start.exposure;
         time_ = duration;
-        growth_ = rests ? 1.0 : (size_.nozzle_linear() > 0.0 ? linear(done.x) / size_.nozzle_linear() : 1.0);
-        return end;
-    }
-
-    bool close(const PlanarStrain& b) const {
-        const PlanarStrain& s = steady_strain_;
-        const double size = std::max({std::abs(s.xx), std::abs(s.xr), std::abs(s.rr), std::abs(s.tt)});
-        return std::max({std::abs(b.xx - s.xx), std::abs(b.xr - s.xr), std::abs(b.rr - s.rr),
-                         std::abs(b.tt - s.tt)}) <= at_rest * size;
+        growth_ = start.growth;
+        return start.end;
     }
 
     /// Strain and linear part of a cell of this size, and its stress.
@@ -300,8 +266,10 @@ class Follower {
         const double last = path_.at_position(after * radius_);
         const Leg nozzle = carry(path_.at_position(from), nozzle_end, start);
         if (request_.length) {
-            result_.nozzle_end = exit_state(nozzle_end, nozzle.end, time_);
-            result_.nozzle_end.exposure = exposure_;
+            if (from > -before * radius_) {
+                result_.nozzle_end = exit_state(nozzle_end, nozzle.end, time_);
+                result_.nozzle_end.exposure = exposure_;
+            }
             if (nozzle.scan.top().value > result_.nozzle_peak) {
                 result_.nozzle_peak = nozzle.scan.top().value;
                 result_.nozzle_peak_position = path_.position(nozzle.scan.top().at);

@@ -79,11 +79,26 @@ void check_positions(const Prediction& prediction, Collector& warn) {
     if (!near_axis.empty()) {
         warn.add("near_axis",
                  "cell within one radius of the axis (offset " + near_axis.substr(2) +
-                     "): the shear differs across it; the truth lies between this and the centred cell");
+                     "): the shear differs across it; " +
+                     (question.transient ? "the ellipsoid has that in it, the steady entry has not"
+                                         : "the truth lies between this and the centred cell"));
     }
     if (!near_wall.empty()) {
         warn.add("near_wall", "cell within one radius of the wall (offset " + near_wall.substr(2) +
                                   "): the theory knows no wall; expect a higher stress");
+    }
+}
+
+void check_length(const Prediction& prediction, Collector& warn) {
+    std::string unsettled;
+    for (const PassageAnswer& passage : prediction.passages) {
+        if (passage.settles == false) unsettled += ", " + micrometres(passage.offset);
+    }
+    if (!unsettled.empty()) {
+        warn.add("unsettled",
+                 "the nozzle is too short for cells at offset " + unsettled.substr(2) +
+                     " to settle: the steady entry is not what they bear; the ellipsoid, carried "
+                     "from the entrance, is the better value");
     }
 }
 
@@ -130,6 +145,20 @@ void check_stress_ratios(const Prediction& prediction, Collector& warn) {
     }
 }
 
+/// What the cell has to follow the load at the exit, and what it needs [s].
+struct ExitTimes {
+    double passage;
+    double response;
+};
+
+ExitTimes exit_times(const Prediction& prediction, const NozzleFlow& flow) {
+    const CellChoice& cell = prediction.question.cell;
+    return {.passage = 2.0 * flow.radius() / flow.velocity_average(),
+            .response =
+                relaxation_time(viscosity(flow.ink(), std::numbers::sqrt3 * prediction.exit.elongation_rate),
+                                cell.shear_modulus, cell.viscosity_ratio)};
+}
+
 void check_exit(const Prediction& prediction, const NozzleFlow& flow, Collector& warn) {
     const Case& question = prediction.question;
     const std::string carried = question.transient ? "; the ellipsoid, carried in time, is the better value"
@@ -149,10 +178,7 @@ void check_exit(const Prediction& prediction, const NozzleFlow& flow, Collector&
                          "; the cell passes before it could collapse" + carried);
             continue;
         }
-        const double passage = 2.0 * flow.radius() / flow.velocity_average();
-        const double response =
-            relaxation_time(viscosity(flow.ink(), std::numbers::sqrt3 * prediction.exit.elongation_rate),
-                            question.cell.shear_modulus, question.cell.viscosity_ratio);
+        const auto [passage, response] = exit_times(prediction, flow);
         if (flow.velocity_average() > 0.0 && response > slow_cell_share * passage) {
             warn.add("exit_transient", "the cell passes the exit in " + brief(passage * 1e3) +
                                            " ms and needs " + brief(response * 1e3) +
@@ -162,7 +188,41 @@ void check_exit(const Prediction& prediction, const NozzleFlow& flow, Collector&
     }
 }
 
+bool shear_applies(const Prediction& prediction, const CellAnswer& cell) {
+    const Case& question = prediction.question;
+    if (!cell.stress || cell.offset < question.cell.radius ||
+        question.radius - cell.offset < 2.0 * question.cell.radius * (1.0 - 1e-12)) {
+        return false;
+    }
+    return std::none_of(prediction.passages.begin(), prediction.passages.end(), [&](const PassageAnswer& p) {
+        return p.offset == cell.offset && p.settles == false;
+    });
+}
+
 }  // namespace
+
+void judge_steady_models(Prediction& prediction, const NozzleFlow& flow) {
+    const CellChoice& choice = prediction.question.cell;
+    for (CellAnswer& cell : prediction.cells) {
+        switch (cell.model) {
+            case Model::bullet:
+                cell.applies =
+                    flow.pressure_gradient() * choice.radius <= bullet_range * choice.shear_modulus;
+                break;
+            case Model::roscoe_shear:
+                cell.applies = shear_applies(prediction, cell);
+                break;
+            case Model::roscoe_elongation: {
+                const auto [passage, response] = exit_times(prediction, flow);
+                cell.applies =
+                    cell.stress && !(flow.velocity_average() > 0.0 && response > slow_cell_share * passage);
+                break;
+            }
+            case Model::ellipsoid:
+                break;
+        }
+    }
+}
 
 std::vector<Warning> warnings_of(const Prediction& prediction, const NozzleFlow& flow) {
     std::vector<Warning> warnings;
@@ -172,6 +232,7 @@ std::vector<Warning> warnings_of(const Prediction& prediction, const NozzleFlow&
     if (!prediction.question.cell.remark.empty()) warn.add("borrowed_value", prediction.question.cell.remark);
     check_flow(prediction, flow, warn);
     check_positions(prediction, warn);
+    check_length(prediction, warn);
     check_stress_ratios(prediction, warn);
     check_exit(prediction, flow, warn);
     return warnings;

@@ -10,6 +10,10 @@ namespace {
 constexpr double length_in_radii = 4.0;
 constexpr double sample_in_transits = 0.25;  ///< of R/u
 constexpr double longest_in_transits = 60.0;
+constexpr double sample_in_relaxations = 0.05;  ///< of the cell's relaxation time
+constexpr double longest_in_relaxations = 6.0;
+constexpr double rest_in_relaxations = 0.5;
+constexpr double most_transits = 240.0;  ///< however slowly the cell relaxes
 constexpr int control_interval = 64;
 constexpr double smallest_element = 0.85;  ///< of its undeformed volume
 constexpr double largest_element = 1.15;
@@ -105,7 +109,7 @@ ImmersedCellSetup cell_setup(const Run& run, const LatticeUnits& units) {
             .spacing = run.scene.cell.radius / units.spacing / run.layers,
             .shear_modulus = modulus,
             .bulk_modulus = options.bulk_modulus_ratio * modulus,
-            .volume_strength = bulk ? 0.0 : 0.02};
+            .volume_strength = bulk ? 0.0 : 0.08};
 }
 
 namespace {
@@ -133,6 +137,8 @@ class ChannelRun {
     SettlingMonitor monitor_;
     long interval_ = 0;
     long limit_ = 0;
+    long rest_needed_ = 0;  ///< steps without change that count as steady: more than a turning point takes
+    long calm_ = 0;         ///< steps since the stress last changed
     long steps_ = 0;
     double before_ = 0.0;  ///< the centre at the last sample
     double velocity_ = 0.0;
@@ -166,9 +172,18 @@ ChannelRun::ChannelRun(const Run& run, const LatticeUnits& units)
     before_ = cell_.shape().centre;
     const double transit = run.nodes / units.velocity_lu;  // steps
     const double channel_time = run.log.options().channel_time;
-    interval_ = std::max(2L, std::lround(sample_in_transits * transit));
+    // A fast print's cell relaxes over many transits; samples too close together could not tell its slow end.
+    const double relaxation =
+        2.5 * viscosity(run.flow.ink(), 0.0) / run.scene.cell.shear_modulus / units.time_step;
+    const double longest =
+        std::min(std::max(longest_in_transits * transit, longest_in_relaxations * relaxation),
+                 most_transits * transit);
+    interval_ = std::max(
+        2L, std::lround(std::min(std::max(sample_in_transits * transit, sample_in_relaxations * relaxation),
+                                 longest / 40.0)));
     limit_ = channel_time > 0.0 ? std::max(interval_, std::lround(channel_time / units.time_step))
-                                : std::lround(longest_in_transits * transit);
+                                : std::lround(longest);
+    rest_needed_ = std::min(std::lround(rest_in_relaxations * relaxation), limit_ / 8);
     run.log.result.series = {
         .columns = {"time [s]", "x [m]", "von_mises [Pa]", "stretch_axial", "stretch_radial", "volume"},
         .rows = {}};
@@ -183,6 +198,7 @@ Record ChannelRun::record() const {
     r.put(before_);
     r.put(velocity_);
     r.put(steady_ ? 1.0 : 0.0);
+    r.put(static_cast<double>(calm_));
     r.put(monitor_.state());
     r.put(cell_.state());
     r.put(flow_.state());
@@ -198,6 +214,7 @@ void ChannelRun::resume(const std::vector<double>& values) {
     before_ = r.next();
     velocity_ = r.next();
     steady_ = r.next() != 0.0;
+    calm_ = static_cast<long>(r.next());
     monitor_.restore(r.next_list());
     cell_.restore(r.next_list());
     flow_.restore(r.next_list());
@@ -237,7 +254,8 @@ void ChannelRun::sample() {
                                            shape_.length / rest_.length, shape_.width / rest_.width,
                                            shape_.volume / rest_.volume});
     const double distance = monitor_.distance(shape_.von_mises);
-    steady_ = steps_ > 4 * interval_ && distance < run_.log.options().settle_tolerance;
+    calm_ = distance < run_.log.options().settle_tolerance ? calm_ + interval_ : 0;
+    steady_ = steps_ > 4 * interval_ && calm_ >= rest_needed_;
 }
 
 void ChannelRun::until_settled() {
@@ -261,7 +279,8 @@ ChannelState ChannelRun::finish() {
                       run_.log.options().channel_time > 0.0
                           ? "the cell's shape is not yet steady after its time in the nozzle"
                           : "the cell's shape in the nozzle has no steady state within " +
-                                std::to_string(static_cast<int>(longest_in_transits)) +
+                                std::to_string(std::lround(static_cast<double>(limit_) * units_.velocity_lu /
+                                                           run_.nodes)) +
                                 " radii of travel; the values are those reached there");
     }
     if (shape_.jacobian_min < smallest_element || shape_.jacobian_max > largest_element) {

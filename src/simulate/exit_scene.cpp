@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "simulate/decay.hpp"
 #include "simulate/exit_field.hpp"
 #include "simulate/scenes.hpp"
 
@@ -16,8 +17,6 @@ constexpr double strand_length = 3.0;
 constexpr double sample_in_transits = 0.01;
 constexpr double longest_in_transits = 200.0;
 constexpr double relaxed = 0.04;  ///< of the peak
-constexpr double fit_from = 0.5;
-constexpr double fit_to = 0.05;
 constexpr double flow_tolerance = 1e-4;
 
 struct Sample {
@@ -153,23 +152,16 @@ class Passage {
     std::vector<Sample> samples_;
 };
 
-/// The decay time of the stress: least squares of its logarithm between half and a twentieth of the peak.
-std::optional<double> relaxation_time(const std::vector<Sample>& samples, double peak) {
-    const auto top = std::max_element(samples.begin(), samples.end(),
-                                      [](const Sample& a, const Sample& b) { return a.stress < b.stress; });
-    double n = 0.0, t = 0.0, y = 0.0, tt = 0.0, ty = 0.0;
-    for (auto s = top; s != samples.end(); ++s) {
-        if (s->stress < fit_from * peak && s->stress > fit_to * peak) {
-            const double log_stress = std::log(s->stress);
-            n += 1.0;
-            t += s->time;
-            y += log_stress;
-            tt += s->time * s->time;
-            ty += s->time * log_stress;
-        }
+std::optional<double> relaxation_time(const std::vector<Sample>& samples) {
+    std::vector<double> time;
+    std::vector<double> stress;
+    time.reserve(samples.size());
+    stress.reserve(samples.size());
+    for (const Sample& s : samples) {
+        time.push_back(s.time);
+        stress.push_back(s.stress);
     }
-    const double slope = (n * ty - t * y) / (n * tt - t * t);
-    return n >= 3.0 && slope < 0.0 ? std::optional(-1.0 / slope) : std::nullopt;
+    return decay_time(time, stress);
 }
 
 void leave_values(const Run& run, const std::vector<Sample>& samples, double start) {
@@ -185,7 +177,7 @@ void leave_values(const Run& run, const std::vector<Sample>& samples, double sta
     run.log.value("stretch_radial_max",
                   std::max_element(samples.begin(), samples.end(), by(&Sample::radial))->radial);
     run.log.value("peak_position", top->x);
-    if (const auto tau = relaxation_time(samples, top->stress)) {
+    if (const auto tau = relaxation_time(samples)) {
         run.log.value("relaxation_time", *tau);
     } else {
         run.log.warn("no-relaxation-time", "the stress did not fall from a half to a twentieth of its peak");

@@ -151,6 +151,34 @@ void ImmersedBody<Real>::move() {
     }
 }
 
+template <class Real>
+void ImmersedBody<Real>::shift(const Vector3& by) {
+    for (Vector3& p : position_) {
+        for (int axis = 0; axis < 3; ++axis) {
+            p[axis] += by[axis];
+        }
+    }
+}
+
+template <class Real>
+std::vector<double> ImmersedBody<Real>::record() const {
+    std::vector<double> record;
+    for (const Vector3& p : position_) {
+        record.insert(record.end(), p.begin(), p.end());
+    }
+    return record;
+}
+
+template <class Real>
+void ImmersedBody<Real>::restore(std::span<const double> record) {
+    if (record.size() != 3 * position_.size()) {
+        throw DataError("the checkpoint is of another mesh");
+    }
+    for (std::size_t n = 0; n < position_.size(); ++n) {
+        std::copy_n(record.begin() + static_cast<std::ptrdiff_t>(3 * n), 3, position_[n].begin());
+    }
+}
+
 template class ImmersedBody<float>;
 template class ImmersedBody<double>;
 

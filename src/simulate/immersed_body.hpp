@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "lattice/d3q19.hpp"
@@ -43,6 +44,11 @@ class ImmersedBody {
     [[nodiscard]] const std::vector<Vector3>& positions() const { return position_; }
     [[nodiscard]] const std::vector<Vector3>& velocities() const { return velocity_; }
     void set_positions(const std::vector<Vector3>& positions) { position_ = positions; }
+    void shift(const Vector3& by);
+    /// The positions as plain numbers, and back: all the body's memory.
+    [[nodiscard]] std::vector<double> record() const;
+    /// @throws DataError  the numbers are of another mesh
+    void restore(std::span<const double> record);
     [[nodiscard]] SolidState state() const { return solid_.state(position_); }
 
   private:

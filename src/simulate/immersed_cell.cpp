@@ -175,7 +175,9 @@ bool ImmersedCell::move(const lattice::AxisymmetricFlow& flow) {
         }
     }
     if (setup_.volume_strength > 0.0) {
-        volume_.apply(position_, setup_.volume_strength);
+        for (int sweep = 0; sweep < setup_.volume_sweeps; ++sweep) {
+            volume_.apply(position_, setup_.volume_strength);
+        }
     }
     return true;
 }

@@ -30,7 +30,8 @@ struct ImmersedCellSetup {
     double spacing = 1.52;          ///< of the mesh, before rounding to whole layers
     double shear_modulus;           ///< in lattice stress units
     double bulk_modulus = 0.0;      ///< zero: the fluid alone keeps the volume
-    double volume_strength = 0.02;  ///< of the volume relaxation, per step
+    double volume_strength = 0.08;  ///< of a sweep of the volume relaxation
+    int volume_sweeps = 4;  ///< a step: fewer let a soft cell's elements drift and take up less stress
 };
 
 class ImmersedCell {

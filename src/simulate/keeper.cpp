@@ -15,6 +15,8 @@ std::vector<double> fingerprint(const Scene& s, const SimulationOptions& o) {
             s.cell.radius,
             s.cell.shear_modulus,
             static_cast<double>(s.drive),
+            s.offset,
+            s.fluid_stress,
             o.resolution,
             o.estimate_error ? 1.0 : 0.0,
             o.accuracy,
@@ -42,6 +44,14 @@ std::span<const double> Record::next_list() {
     const std::span<const double> list(values_.data() + at_, static_cast<std::size_t>(size));
     at_ += list.size();
     return list;
+}
+
+std::array<double, 3> Record::next_three() {
+    const std::span<const double> list = next_list();
+    if (list.size() != 3) {
+        throw DataError("the checkpoint is cut short");
+    }
+    return {list[0], list[1], list[2]};
 }
 
 Keeper::Keeper(const Scene& scene, const SimulationOptions& options) : options_(options) {

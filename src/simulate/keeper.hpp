@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <mutex>
 #include <span>
@@ -25,6 +26,7 @@ class Record {
     /// @throws DataError  the record is shorter than what is read from it
     double next();
     std::span<const double> next_list();
+    std::array<double, 3> next_three();
     [[nodiscard]] const std::vector<double>& values() const { return values_; }
 
   private:

@@ -155,8 +155,10 @@ void check(const Scene& scene, const SimulationOptions& options) {
             throw UsageError(std::string(option) + ": " + what + " must be positive", option);
         }
     };
-    positive(scene.nozzle_radius, "--radius", "the nozzle's radius");
-    positive(scene.velocity_average, "--velocity", "the average velocity");
+    if (scene.kind != SceneKind::shear) {
+        positive(scene.nozzle_radius, "--radius", "the nozzle's radius");
+        positive(scene.velocity_average, "--velocity", "the average velocity");
+    }
     if (!(options.resolution >= 3.0) || options.resolution > 100.0) {
         throw UsageError(
             "--resolution: a cell radius takes 3 to 100 nodes, not " + number(options.resolution),
@@ -167,6 +169,10 @@ void check(const Scene& scene, const SimulationOptions& options) {
     }
     positive(scene.cell.radius, "--cell-radius", "the cell's radius");
     positive(scene.cell.shear_modulus, "--shear-modulus", "the shear modulus");
+    if (scene.kind == SceneKind::shear) {
+        positive(scene.fluid_stress, "--fluid-stress", "the ink's stress");
+        return;
+    }
     if (scene.cell.radius > largest_confinement * scene.nozzle_radius) {
         throw UsageError("--cell-radius: a cell of " + number(scene.cell.radius) +
                              " m is too large for this nozzle; the simulation takes up to " +

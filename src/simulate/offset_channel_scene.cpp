@@ -13,6 +13,8 @@ namespace bioprint {
 
 namespace {
 
+constexpr std::size_t samples_a_window = 8;  ///< of settling
+
 void check(const OffsetChannelSetup& setup) {
     const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
     if (!positive(setup.radius) || !positive(setup.cell_radius) || !positive(setup.velocity_average) ||
@@ -42,48 +44,30 @@ class Channel {
           cell_(body_setup(), lattice_, {0.5 * lattice_.nx(), setup.offset / lu_.spacing, 0.0}),
           rest_(mirror_ellipsoid(cell_.state().ellipsoid)) {
         start();
+        plan();
+        if (const auto* values = setup.watch.kept("channel")) {
+            resume(*values);
+        }
     }
 
     OffsetChannelResult run() {
-        OffsetChannelResult result{.series = {},
-                                   .shape = {},
-                                   .complete = false,
-                                   .time_step = lu_.time,
-                                   .radius_lu = radius_,
-                                   .steps = 0,
-                                   .nodes = lattice_.fluid_nodes()};
-        const auto total = static_cast<long>(std::ceil(setup_.duration / lu_.time));
-        const long stride = std::max<long>(2, total / std::max(setup_.samples, 1) / 2 * 2);
-        const double started = cell_.state().ellipsoid.centre[0];
-        double last = started;
-        while (result.steps < total) {
-            for (long i = 0; i < stride; ++i) {
-                cell_.load();
-                lattice_.step();
-                cell_.move();
+        try {
+            bool ended = is_over();
+            while (!ended && result_.stopped.empty()) {
+                advance();
+                sample();
+                ended = is_over();
+                setup_.watch.keep_state("channel", ended, [this] { return record(); });
+                if (!setup_.watch.goes_on("channel",
+                                          ended ? 1.0 : static_cast<double>(result_.steps) / total_)) {
+                    result_.stopped = cancelled_run;
+                }
             }
-            result.steps += stride;
-            OffsetChannelSample sample = observe();
-            const double centre = sample.path;
-            sample.time = result.steps * lu_.time;
-            sample.path = (centre - started) * lu_.spacing;
-            sample.velocity = (centre - last) * lu_.spacing / (stride * lu_.time);
-            last = centre;
-            result.series.push_back(sample);
-            if (setup_.drive == OffsetDrive::constant_flow_rate) {
-                hold_flow_rate();
-            }
-            if (setup_.progress && !setup_.progress(static_cast<double>(result.steps) / total)) {
-                return result;
-            }
+        } catch (const NotConverged& e) {
+            result_.stopped = e.what();
         }
-        result.complete = true;
-        const Vector3 centre = cell_.state().ellipsoid.centre;
-        for (const Vector3& p : cell_.positions()) {
-            result.shape.push_back(
-                {(p[0] - centre[0]) / setup_.nodes, (p[1] - centre[1]) / setup_.nodes, p[2] / setup_.nodes});
-        }
-        return result;
+        report();
+        return std::move(result_);
     }
 
   private:
@@ -115,20 +99,89 @@ class Channel {
                              .strain_rate = {0.0, 0.0, 0.0, slope * y, slope * z, 0.0}};
         });
         flow_rate_ = lattice_.flow_rate(0);
+        before_ = cell_.state().ellipsoid.centre;
+        started_ = before_[0];
     }
 
-    /// Follows the flow rate of the start: a step of a fifth of the gap at every sample.
+    /// How often to sample, how long to run and how long the stress must stand still.
+    void plan() {
+        total_ = static_cast<long>(std::ceil(setup_.duration / lu_.time));
+        const double rate = flow_.shear_rate(setup_.offset);
+        const double eta = viscosity(setup_.ink, rate);
+        const double response = std::min(2.5 * eta / setup_.shear_modulus, rate > 0.0 ? 2.0 / rate : 1e30);
+        const long window = std::lround(2.0 * response / lu_.time);
+        const bool settles = setup_.settle_tolerance > 0.0;
+        const long stride =
+            settles ? window / static_cast<long>(samples_a_window) : total_ / std::max(setup_.samples, 1);
+        stride_ = std::max<long>(2, stride / 2 * 2);
+        const double viscous_time = radius_ * radius_ / (5.8 * lu_.nu0);
+        gain_ = std::min(0.2, stride_ / (4.0 * viscous_time));
+    }
+
+    void advance() {
+        for (long i = 0; i < stride_; ++i) {
+            cell_.load();
+            lattice_.step();
+            cell_.move();
+        }
+        result_.steps += stride_;
+    }
+
+    void sample() {
+        OffsetChannelSample sample = observe();
+        const Vector3 centre = cell_.state().ellipsoid.centre;
+        const double velocity = lu_.spacing / (stride_ * lu_.time);
+        sample.time = result_.steps * lu_.time;
+        sample.path = (centre[0] - started_) * lu_.spacing;
+        sample.velocity = (centre[0] - before_[0]) * velocity;
+        sample.migration = (centre[1] - before_[1]) * velocity;
+        before_ = centre;
+        if (setup_.hold_offset) {
+            const double back = setup_.offset / lu_.spacing - centre[1];
+            cell_.shift({0.0, back, 0.0});
+            before_[1] += back;
+        }
+        result_.series.push_back(sample);
+        if (setup_.drive == OffsetDrive::constant_flow_rate) {
+            hold_flow_rate();
+        }
+    }
+
+    [[nodiscard]] bool is_settled() const {
+        const std::size_t n = result_.series.size();
+        if (setup_.settle_tolerance <= 0.0 || n < 3 * samples_a_window) {
+            return false;
+        }
+        double least = 1e300;
+        double most = 0.0;
+        for (std::size_t i = n - 1 - samples_a_window; i < n; ++i) {
+            const OffsetChannelSample& s = result_.series[i];
+            // Near the axis the ink's stress at the centre is not what loads the cell.
+            const double share =
+                s.von_mises / std::max(s.fluid_stress, 0.5 * s.pressure_gradient * setup_.cell_radius);
+            least = std::min(least, share);
+            most = std::max(most, share);
+        }
+        return most - least < setup_.settle_tolerance * most;
+    }
+
+    [[nodiscard]] bool is_over() {
+        result_.steady = is_settled();
+        result_.complete = result_.steady || result_.steps >= total_;
+        return result_.complete;
+    }
+
+    /// Follows the flow rate of the start by part of the gap at every sample.
     void hold_flow_rate() {
         const double ratio = flow_rate_ / lattice_.flow_rate(0);
         auto force = lattice_.body_force();
-        force[0] *= 1.0 + 0.2 * (ratio - 1.0);
+        force[0] *= 1.0 + gain_ * (ratio - 1.0);
         lattice_.set_body_force(force);
     }
 
     OffsetChannelSample observe() const {
         const OffsetView<Real> view(lattice_, cell_, rest_);
         OffsetChannelSample sample{};
-        sample.path = view.centre()[0];
         sample.offset = view.centre()[1] * lu_.spacing;
         sample.von_mises = view.von_mises() * lu_.stress;
         sample.pressure_gradient = lattice_.body_force()[0] * lu_.stress / lu_.spacing;
@@ -141,6 +194,53 @@ class Channel {
         return sample;
     }
 
+    [[nodiscard]] Record record() const {
+        Record r;
+        r.put(static_cast<double>(result_.steps));
+        r.put(before_);
+        r.put(static_cast<double>(result_.series.size()));
+        for (const OffsetChannelSample& s : result_.series) {
+            for (const double value :
+                 {s.time, s.path, s.offset, s.velocity, s.von_mises, s.fluid_stress, s.angle, s.frequency,
+                  s.viscous, s.volume, s.pressure_gradient, s.migration}) {
+                r.put(value);
+            }
+            r.put(s.stretch);
+        }
+        r.put(cell_.record());
+        r.put(lattice_.state());
+        return r;
+    }
+
+    void resume(const std::vector<double>& values) {
+        Record r(values);
+        result_.steps = static_cast<long>(r.next());
+        before_ = r.next_three();
+        for (auto n = static_cast<long>(r.next()); n > 0; --n) {
+            OffsetChannelSample s{};
+            for (double* value :
+                 {&s.time, &s.path, &s.offset, &s.velocity, &s.von_mises, &s.fluid_stress, &s.angle,
+                  &s.frequency, &s.viscous, &s.volume, &s.pressure_gradient, &s.migration}) {
+                *value = r.next();
+            }
+            s.stretch = r.next_three();
+            result_.series.push_back(s);
+        }
+        cell_.restore(r.next_list());
+        lattice_.restore(r.next_list());
+    }
+
+    void report() {
+        result_.nodes = lattice_.fluid_nodes();
+        result_.lattice = lattice_report(lu_, flow_, {setup_.cell_radius, setup_.shear_modulus, setup_.nodes},
+                                         lattice_.nx());
+        const Vector3 centre = cell_.state().ellipsoid.centre;
+        for (const Vector3& p : cell_.positions()) {
+            result_.shape.push_back(
+                {(p[0] - centre[0]) / setup_.nodes, (p[1] - centre[1]) / setup_.nodes, p[2] / setup_.nodes});
+        }
+    }
+
     const OffsetChannelSetup& setup_;
     NozzleFlow flow_;
     OffsetUnits lu_;
@@ -148,7 +248,13 @@ class Channel {
     D3q19<Real> lattice_;
     ImmersedBody<Real> cell_;
     MirrorEllipsoid rest_;
+    long total_ = 0;
+    long stride_ = 2;
+    double gain_ = 0.0;
     double flow_rate_ = 0.0;
+    double started_ = 0.0;  ///< the centre along the nozzle
+    Vector3 before_{};      ///< the centre at the sample before
+    OffsetChannelResult result_{};
 };
 
 }  // namespace

@@ -21,9 +21,33 @@ OffsetUnits offset_units(const OffsetCell& cell, const NozzleFlow& flow) {
     const double s = eta0 / cell.shear_modulus;
     const double nu0 =
         std::clamp(std::sqrt(stiffest * s * wall_rate * square / (reynolds * thinning)), 0.5, 4.0);
-    const double dt = std::min({fastest * dx / flow.velocity_max(),
-                                reynolds * thinning * nu0 / (wall_rate * square), stiffest * s / nu0});
-    return {dx, dt, nu0, eta0 / (nu0 * dt)};
+    struct Limit {
+        double step;
+        const char* name;
+    };
+    const std::array<Limit, 3> limits{{{fastest * dx / flow.velocity_max(), "velocity"},
+                                       {reynolds * thinning * nu0 / (wall_rate * square), "unsteadiness"},
+                                       {stiffest * s / nu0, "elastic waves"}}};
+    const Limit& tightest = *std::min_element(limits.begin(), limits.end(),
+                                              [](const Limit& a, const Limit& b) { return a.step < b.step; });
+    const double dt = tightest.step;
+    return {dx, dt, nu0, eta0 / (nu0 * dt), tightest.name};
+}
+
+OffsetLattice lattice_report(const OffsetUnits& units, const NozzleFlow& flow, const OffsetCell& cell,
+                             int length) {
+    const double thinning = viscosity(flow.ink(), flow.shear_rate_max()) / flow.ink().eta0;
+    const double velocity = flow.velocity_average() * units.time / units.spacing;
+    const double radius = flow.radius() / units.spacing;
+    return {.spacing = units.spacing,
+            .time_step = units.time,
+            .radius = radius,
+            .length = length,
+            .velocity = velocity,
+            .viscosity = units.nu0,
+            .wall_reynolds = velocity * radius / (units.nu0 * thinning),
+            .shear_modulus = cell.shear_modulus / units.stress,
+            .binding = units.binding};
 }
 
 template <class Real>
@@ -46,6 +70,25 @@ std::array<double, 3> OffsetView<Real>::stretch() const {
         ratio[k] = now_.semi_axes[k] / rest_.semi_axes[k];
     }
     return ratio;
+}
+
+namespace {
+
+/// Half the width of an ellipsoid with its third axis across the plane, along x or y.
+double half_width(const MirrorEllipsoid& e, int direction) {
+    return std::hypot(e.semi_axes[0] * e.axis[0][direction], e.semi_axes[1] * e.axis[1][direction]);
+}
+
+}  // namespace
+
+template <class Real>
+double OffsetView<Real>::axial_stretch() const {
+    return half_width(now_, 0) / half_width(rest_, 0);
+}
+
+template <class Real>
+double OffsetView<Real>::radial_stretch() const {
+    return half_width(now_, 1) / half_width(rest_, 1);
 }
 
 template <class Real>

@@ -5,6 +5,7 @@
 #include "bioprint/flow/nozzle_flow.hpp"
 #include "simulate/ellipsoid_axes.hpp"
 #include "simulate/immersed_body.hpp"
+#include "simulate/offset_channel_scene.hpp"
 
 /// What the scenes with a cell beside the axis share: their lattice units, and what is read off the cell.
 namespace bioprint {
@@ -14,6 +15,7 @@ struct OffsetUnits {
     double time;     ///< [s] a step
     double nu0;      ///< zero-shear viscosity of the lattice
     double stress;   ///< [Pa] a lattice unit
+    const char* binding;
 };
 
 struct OffsetCell {
@@ -26,6 +28,8 @@ struct OffsetCell {
 /// fluid follows the cell (Reynolds number of the cell at the wall's rate and viscosity ½), elastic waves are
 /// slower than sound.
 OffsetUnits offset_units(const OffsetCell& cell, const NozzleFlow& flow);
+OffsetLattice lattice_report(const OffsetUnits& units, const NozzleFlow& flow, const OffsetCell& cell,
+                             int length);
 
 /// One look at a body and the fluid inside it; lattice units.
 template <class Real>
@@ -38,6 +42,9 @@ class OffsetView {
     [[nodiscard]] double von_mises() const { return state_.von_mises; }
     [[nodiscard]] std::array<double, 3> stretch() const;
     [[nodiscard]] double angle() const { return now_.angle; }
+    /// Widths along the nozzle and across it in the mirror plane, over those at rest.
+    [[nodiscard]] double axial_stretch() const;
+    [[nodiscard]] double radial_stretch() const;
     [[nodiscard]] double frequency() const;
     [[nodiscard]] double volume() const { return state_.volume / body_.solid().rest_volume(); }
     /// Mean over the lattice nodes in the equivalent ellipsoid of the viscous shear stress in its axes.

@@ -1,8 +1,10 @@
 # The scenes in three dimensions.
 target_sources(bioprint_simulate PRIVATE
+  decay.cpp
   ellipsoid_axes.cpp
   immersed_body.cpp
   offset_channel_scene.cpp
   offset_exit_scene.cpp
   offset_view.cpp
-  shear_scene.cpp)
+  shear_scene.cpp
+  space.cpp)

@@ -48,82 +48,181 @@ void check(const ShearSceneSetup& setup) {
     }
 }
 
-}  // namespace
+constexpr std::size_t samples_a_unit = 20;  ///< of γ̇ t
 
-ShearSceneResult run_shear_scene(const ShearSceneSetup& setup) {
-    check(setup);
-    const Units lu = units(setup);
-    const double r = setup.nodes;
-    const int nx = std::max(16, static_cast<int>(std::lround(setup.box[0] * r / 16.0)) * 16);
-    const int ny = static_cast<int>(std::lround(setup.box[1] * r));
-    const int nz = static_cast<int>(std::lround(0.5 * setup.box[2] * r));
-    const double plate = 0.5 * lu.rate * ny;
-    D3q19<double> lattice({.nx = nx,
-                           .section = plates(ny, nz, -plate, plate, Sides::mirrors),
-                           .viscosity = {.nu0 = lu.nu},
-                           .threads = setup.threads});
-    lattice.initialise([&](double, double y, double) {
-        return FlowState{.velocity = {lu.rate * y, 0.0, 0.0},
-                         .strain_rate = {0.0, 0.0, 0.0, 0.5 * lu.rate, 0.0, 0.0}};
-    });
-    ImmersedBody<double> cell(
-        {.radius = r, .spacing = setup.mesh_spacing, .inside = setup.inside, .shear_modulus = lu.modulus},
-        lattice, {0.5 * nx, 0.0, 0.0});
-
-    const double stress = setup.fluid_stress / (lu.nu * lu.rate);  // Pa a lattice unit
-    const double time = lu.rate / setup.shear_rate;                // s a step
-    const MirrorEllipsoid rest = mirror_ellipsoid(cell.state().ellipsoid);
-    const auto stretches = [&](const MirrorEllipsoid& e) {
-        return std::array<double, 3>{e.semi_axes[0] / rest.semi_axes[0], e.semi_axes[1] / rest.semi_axes[1],
-                                     e.semi_axes[2] / rest.semi_axes[2]};
-    };
-    ShearSceneResult result{};
-    result.box = {nx / r, ny / r, 2 * nz / r};
-    result.nodes = lattice.fluid_nodes();
-    const long sample = std::max<long>(2, std::lround(0.05 / lu.rate / 2) * 2);
-    const long samples_a_unit = 20;
-    SolidState state = cell.state();
-    while (result.steps * lu.rate < setup.longest) {
-        for (long i = 0; i < sample; ++i) {
-            cell.load();
-            lattice.step();
-            cell.move();
+class ShearRun {
+  public:
+    explicit ShearRun(const ShearSceneSetup& setup)
+        : setup_(setup),
+          lu_(units(setup)),
+          lattice_(lattice_setup()),
+          cell_({.radius = setup.nodes,
+                 .spacing = setup.mesh_spacing,
+                 .inside = setup.inside,
+                 .shear_modulus = lu_.modulus},
+                lattice_, {0.5 * lattice_.nx(), 0.0, 0.0}),
+          rest_(mirror_ellipsoid(cell_.state().ellipsoid)),
+          stress_(setup.fluid_stress / (lu_.nu * lu_.rate)),
+          time_(lu_.rate / setup.shear_rate) {
+        lattice_.initialise([&](double, double y, double) {
+            return FlowState{.velocity = {lu_.rate * y, 0.0, 0.0},
+                             .strain_rate = {0.0, 0.0, 0.0, 0.5 * lu_.rate, 0.0, 0.0}};
+        });
+        if (const auto* values = setup.watch.kept("shear")) {
+            resume(*values);
         }
-        result.steps += sample;
-        state = cell.state();
+    }
+
+    ShearSceneResult run() {
+        const long sample = std::max<long>(2, std::lround(0.5 / samples_a_unit / lu_.rate) * 2);
+        try {
+            bool ended = is_over();
+            while (!ended && result_.stopped.empty()) {
+                advance(sample);
+                observe();
+                ended = is_over();
+                setup_.watch.keep_state("shear", ended, [this] { return record(); });
+                if (!setup_.watch.goes_on("shear", ended ? 1.0 : fraction())) {
+                    result_.stopped = cancelled_run;
+                }
+            }
+        } catch (const NotConverged& e) {
+            result_.stopped = e.what();
+        }
+        report();
+        return std::move(result_);
+    }
+
+  private:
+    [[nodiscard]] D3q19Setup lattice_setup() const {
+        const double r = setup_.nodes;
+        const int ny = static_cast<int>(std::lround(setup_.box[1] * r));
+        const double plate = 0.5 * lu_.rate * ny;
+        return {.nx = std::max(16, static_cast<int>(std::lround(setup_.box[0] * r / 16.0)) * 16),
+                .section = plates(ny, static_cast<int>(std::lround(0.5 * setup_.box[2] * r)), -plate, plate,
+                                  Sides::mirrors),
+                .viscosity = {.nu0 = lu_.nu},
+                .threads = setup_.threads};
+    }
+
+    [[nodiscard]] std::array<double, 3> stretches(const MirrorEllipsoid& e) const {
+        return {e.semi_axes[0] / rest_.semi_axes[0], e.semi_axes[1] / rest_.semi_axes[1],
+                e.semi_axes[2] / rest_.semi_axes[2]};
+    }
+
+    void advance(long steps) {
+        for (long i = 0; i < steps; ++i) {
+            cell_.load();
+            lattice_.step();
+            cell_.move();
+        }
+        result_.steps += steps;
+    }
+
+    /// Leaves the state of the cell in the result, so that a later break finds the last sound one there.
+    void observe() {
+        const SolidState state = cell_.state();
         if (!std::isfinite(state.von_mises)) {
             throw NotConverged("the shear scene lost its numbers");
         }
         const MirrorEllipsoid now = mirror_ellipsoid(state.ellipsoid);
-        result.series.push_back({result.steps * time, state.von_mises * stress, stretches(now), now.angle});
-        result.peak_von_mises = std::max(result.peak_von_mises, state.von_mises * stress);
-        const std::size_t n = result.series.size();
+        const Matrix3 gradient = cell_.solid().mean_gradient(cell_.positions(), cell_.velocities());
+        result_.stretch = stretches(now);
+        result_.angle = now.angle;
+        result_.von_mises = state.von_mises * stress_;
+        result_.volume = state.volume / cell_.solid().rest_volume();
+        const double mean = (state.stress[0][0] + state.stress[1][1] + state.stress[2][2]) / 3.0;
+        for (int k = 0; k < 3; ++k) {
+            result_.elastic[k] = (component(state.stress, now.axis[k], now.axis[k]) - mean) * stress_;
+        }
+        result_.frequency = tank_treading_frequency(gradient, now) / time_;
+        result_.viscous =
+            lu_.nu *
+            (component(gradient, now.axis[0], now.axis[1]) + component(gradient, now.axis[1], now.axis[0])) *
+            stress_;
+        add({result_.steps * time_, result_.von_mises, result_.stretch, result_.angle});
+    }
+
+    void add(const ShearSample& sample) {
+        result_.series.push_back(sample);
+        result_.peak_von_mises = std::max(result_.peak_von_mises, sample.von_mises);
+        const std::size_t n = result_.series.size();
         if (n > 2 * samples_a_unit) {
-            const double before = result.series[n - 1 - samples_a_unit].von_mises;
-            const double angle = result.series[n - 1 - samples_a_unit].angle;
-            result.steady = std::abs(result.series.back().von_mises / before - 1.0) < setup.steady &&
-                            std::abs(now.angle - angle) < 10.0 * setup.steady;
-            if (result.steady) {
-                break;
-            }
+            const ShearSample& before = result_.series[n - 1 - samples_a_unit];
+            result_.steady = std::abs(sample.von_mises / before.von_mises - 1.0) < setup_.steady &&
+                             std::abs(sample.angle - before.angle) < 10.0 * setup_.steady;
         }
     }
-    const MirrorEllipsoid end = mirror_ellipsoid(state.ellipsoid);
-    const Matrix3 gradient = cell.solid().mean_gradient(cell.positions(), cell.velocities());
-    result.stretch = stretches(end);
-    result.angle = end.angle;
-    result.von_mises = state.von_mises * stress;
-    result.volume = state.volume / cell.solid().rest_volume();
-    const double mean = (state.stress[0][0] + state.stress[1][1] + state.stress[2][2]) / 3.0;
-    for (int k = 0; k < 3; ++k) {
-        result.elastic[k] = (component(state.stress, end.axis[k], end.axis[k]) - mean) * stress;
+
+    [[nodiscard]] double fraction() const { return result_.steps * lu_.rate / setup_.longest; }
+    [[nodiscard]] bool is_over() const { return result_.steady || fraction() >= 1.0; }
+
+    [[nodiscard]] Record record() const {
+        Record r;
+        r.put(static_cast<double>(result_.steps));
+        r.put(result_.frequency);
+        r.put(result_.viscous);
+        r.put(result_.volume);
+        r.put(result_.elastic);
+        r.put(static_cast<double>(result_.series.size()));
+        for (const ShearSample& s : result_.series) {
+            r.put(s.time);
+            r.put(s.von_mises);
+            r.put(s.stretch);
+            r.put(s.angle);
+        }
+        r.put(cell_.record());
+        r.put(lattice_.state());
+        return r;
     }
-    result.frequency = tank_treading_frequency(gradient, end) / time;
-    result.viscous =
-        lu.nu *
-        (component(gradient, end.axis[0], end.axis[1]) + component(gradient, end.axis[1], end.axis[0])) *
-        stress;
-    return result;
+
+    void resume(const std::vector<double>& values) {
+        Record r(values);
+        result_.steps = static_cast<long>(r.next());
+        result_.frequency = r.next();
+        result_.viscous = r.next();
+        result_.volume = r.next();
+        result_.elastic = r.next_three();
+        for (auto n = static_cast<long>(r.next()); n > 0; --n) {
+            const double time = r.next();
+            const double von_mises = r.next();
+            const std::array<double, 3> stretch = r.next_three();
+            add({time, von_mises, stretch, r.next()});
+        }
+        if (!result_.series.empty()) {
+            result_.stretch = result_.series.back().stretch;
+            result_.angle = result_.series.back().angle;
+            result_.von_mises = result_.series.back().von_mises;
+        }
+        cell_.restore(r.next_list());
+        lattice_.restore(r.next_list());
+    }
+
+    void report() {
+        const double r = setup_.nodes;
+        result_.box = {lattice_.nx() / r, lattice_.section().ny / r, 2 * lattice_.section().nz / r};
+        result_.nodes = lattice_.fluid_nodes();
+        result_.length = lattice_.nx();
+        result_.time_step = time_;
+        result_.viscosity = lu_.nu;
+        result_.shear_modulus = lu_.modulus;
+    }
+
+    const ShearSceneSetup& setup_;
+    Units lu_;
+    D3q19<double> lattice_;
+    ImmersedBody<double> cell_;
+    MirrorEllipsoid rest_;
+    double stress_;  ///< [Pa] a lattice unit
+    double time_;    ///< [s] a step
+    ShearSceneResult result_{};
+};
+
+}  // namespace
+
+ShearSceneResult run_shear_scene(const ShearSceneSetup& setup) {
+    check(setup);
+    return ShearRun(setup).run();
 }
 
 }  // namespace bioprint

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
-#include <functional>
+#include <string>
 #include <vector>
+
+#include "simulate/watch.hpp"
 
 /// A cell between two plates moving in opposite directions: the scene on which Roscoe's theory is exact but
 /// for the size of the box.
@@ -23,6 +25,7 @@ struct ShearSceneSetup {
     bool inside = true;    ///< couple through points inside the elements
     double mesh_spacing = 2.0;  ///< in lattice nodes
     int threads = 1;
+    SceneWatch watch = {};
 };
 
 struct ShearSample {
@@ -44,12 +47,17 @@ struct ShearSceneResult {
     double viscous;                 ///< viscous shear stress σ12 in those axes [Pa]
     double volume;                  ///< over the rest volume
     std::array<double, 3> box;      ///< as simulated, in cell radii
+    std::string stopped;            ///< why the run ended early; empty: it came to its end
+    double time_step;               ///< [s]
+    double viscosity;               ///< of the lattice
+    double shear_modulus;           ///< of the lattice
+    int length;                     ///< nodes along the flow
     long steps;
     long nodes;  ///< of the lattice
 };
 
-/// @throws UsageError    a value out of range
-/// @throws NotConverged  the cell broke
+/// What was reached when the cell broke or the run was ended is returned, with `stopped` saying so.
+/// @throws UsageError  a value out of range
 ShearSceneResult run_shear_scene(const ShearSceneSetup& setup);
 
 }  // namespace bioprint

@@ -8,6 +8,7 @@
 #include "bioprint/simulate/simulation.hpp"
 #include "lattice/axisymmetric_kernel.hpp"
 #include "simulate/scenes.hpp"
+#include "simulate/space.hpp"
 
 namespace bioprint {
 namespace {
@@ -31,6 +32,7 @@ void run_scene(const Run& run) {
             run_channel(run);
             break;
         case SceneKind::exit:
+        case SceneKind::shear:  // in space, as is a cell off the axis
             run_exit(run);
             break;
     }
@@ -177,6 +179,9 @@ void report(const Run& run, const LatticeUnits& units, int length) {
 
 SimulationResult simulate(const Scene& scene, const SimulationOptions& options) {
     check(scene, options);
+    if (needs_space(scene)) {
+        return simulate_in_space(scene, options);
+    }
     const NozzleFlow flow = NozzleFlow::from_velocity(scene.ink, scene.nozzle_radius, scene.velocity_average);
     const bool with_cell = scene.kind != SceneKind::exit_flow;
     const int wanted = layers_for(options.resolution, options.mesh_spacing);

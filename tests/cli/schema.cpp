@@ -31,7 +31,9 @@ TEST_CASE("command: every answer is valid under the schema it names") {
                              "--population",
                              "--population --length 1cm --threshold 1kPa",
                              "--simulate=channel --fidelity draft",
-                             "--simulate=exit-flow --resolution 3"}) {
+                             "--simulate=exit-flow --resolution 3",
+                             "--simulate=shear --fidelity draft",
+                             "--simulate=channel --offset 3Rc --channel-time 1ms --fidelity draft"}) {
         CAPTURE(call);
         CHECK(schema_violations(json::parse(run(std::string(call) + " --json").out), "answer") == "");
     }

@@ -53,7 +53,7 @@ struct Case {
     std::vector<CellPosition> positions;  ///< empty: 0, 1.5, 3 and 4.5 cell radii as far as they fit
     std::optional<NeedleChoice> needle;
     bool transient =
-        true;  ///< also carry the centred cell through the exit in time (model "ellipsoid"); ~50 µs
+        true;  ///< also carry the cells through nozzle and exit in time (model "ellipsoid"); ~0.2 ms each
     bool population = false;              ///< also the distribution over all cells of a print; ~20 ms
     std::vector<double> thresholds = {};  ///< stresses whose excess the population is asked for [Pa]
     int profile_points = 0;               ///< radial profile from axis to wall; 0: none, else at least 2

@@ -39,8 +39,8 @@ struct CellStress {
     double viscous;                 ///< [Pa]
 };
 
-/// One cell at one place by one model. The ellipsoid is carried in time: its entry is the moment of its
-/// largest stress.
+/// One cell at one place by one model. The ellipsoid is carried in time: its entry in the nozzle is the cell
+/// at the nozzle's end (streamline_passage.hpp), that at the exit the moment of its largest stress there.
 struct CellAnswer {
     Place place;
     Model model;
@@ -49,10 +49,30 @@ struct CellAnswer {
     double fluid_stress;  ///< σ_f, undisturbed, where the cell's centre is [Pa]
     double stress_ratio;  ///< σ_f/μ
     std::optional<std::array<double, 3>> stretch;
-    std::optional<double> angle;      ///< [rad]
+    std::optional<double> angle;      ///< [rad]; at the exit negative where axis 1 leans away from the axis
     std::optional<double> frequency;  ///< of tank treading [1/s]
     std::optional<CellStress> stress;
     std::optional<double> relaxation_time;  ///< in the strand [s]; exit only
+    std::optional<bool> applies = {};       ///< of a steady model: whether its assumptions hold here
+};
+
+/// The whole way of one cell carried in time, through nozzle and exit into the strand.
+struct PassageAnswer {
+    double offset;  ///< [m]
+    double offset_in_cell_radii;
+    double von_mises;                ///< the largest on the way [Pa]
+    Place place;                     ///< where that is
+    std::optional<double> position;  ///< and how far from the lip, negative in the nozzle [m]; none where the
+                                     ///< cell has settled in a nozzle without a length
+    double nozzle_peak;              ///< the largest in the nozzle, start-up included [Pa]
+    double nozzle_steady;            ///< that of the settled cell [Pa]
+    double exit_peak;                ///< the largest at the exit [Pa]
+    double exit_position;            ///< and how far behind the lip [m]
+    std::optional<bool> settles;     ///< whether the nozzle is long enough; with a length, as the next two
+    std::optional<double> settling_time;    ///< from the entrance to within 5 % of the settled stress [s]
+    std::optional<double> nozzle_exposure;  ///< ∫ von Mises dt to 4 radii before the lip [Pa s]
+    double exit_exposure;                   ///< the same from there to 7.5 radii behind the lip [Pa s]
+    double strand_offset;                   ///< distance from the axis in the strand [m]
 };
 
 struct RadialProfile {
@@ -73,7 +93,8 @@ struct Prediction {
     Case question;  ///< with `positions` filled in, as lengths
     NozzleAnswer nozzle;
     ExitAnswer exit;
-    std::vector<CellAnswer> cells;  ///< by position, nozzle before exit
+    std::vector<CellAnswer> cells;        ///< by position, nozzle before exit
+    std::vector<PassageAnswer> passages;  ///< by position; only of cells carried in time
     std::optional<RadialProfile> profile;
     std::optional<Population> population;
     std::vector<Warning> warnings;

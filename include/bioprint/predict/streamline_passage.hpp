@@ -12,8 +12,8 @@
 ///
 /// In the nozzle: start-up from a sphere, which overshoots in soft cells (stress ratio above 0.1), then
 /// tank-treading as in roscoe.hpp. Without a nozzle length the cell is taken to have settled. The nozzle ends
-/// where the exit begins to be felt: 1.5 radii before the lip, or half of the length of a shorter nozzle. At
-/// the exit: the flow of exit_field.hpp.
+/// where the exit begins to be felt at all, 4 radii before the lip; what bears the largest stress up to 1.5
+/// radii before the lip (or in the first half of a nozzle shorter than 3) bears it in the nozzle. At the exit: the flow of exit_field.hpp.
 ///
 /// With a cell radius the effects of the cell's size are those on the axis (exit_passage.hpp), carried off it
 /// as src/predict/size_effect.hpp says, so that every value here tends to that of the axis.

@@ -12,11 +12,13 @@
 /// Simulation of one scene: lattice Boltzmann flow of the ink, and a neo-Hookean cell in it where the scene
 /// has one.
 ///
-/// Every scene here is axisymmetric: the nozzle alone, or a cell on its axis.
 ///   exit_flow  the steady flow from the nozzle into the strand, no cell
 ///   channel    a cell inside the long nozzle, until its shape is steady
 ///   exit       that cell carried through the exit into the strand, until it has relaxed
-/// The strand keeps the nozzle's diameter and its surface is free of shear stress (no die swell).
+///   shear      a cell between two plates that move in opposite directions, until its shape is steady
+/// The first three are axisymmetric while the cell is on the axis. Off it they run in three dimensions, as does
+/// shear: half of the scene, with a mirror plane through the axis and the cell's centre. The strand keeps the
+/// nozzle's diameter and its surface is free of shear stress (no die swell).
 ///
 /// Each run is made twice, at the resolution asked for and at half of it. What converges with a known order
 /// is extrapolated from the two, and every value carries the numerical error estimated from them. A cell of 3
@@ -28,7 +30,7 @@
 ///   exit        peak stress 2 %, stretches 1 % (runs at twice the resolution)
 namespace bioprint {
 
-enum class SceneKind { exit_flow, channel, exit };
+enum class SceneKind { exit_flow, channel, exit, shear };
 
 /// What is kept constant in the channel while the cell deforms.
 enum class ChannelDrive { flow_rate, pressure_gradient };
@@ -41,10 +43,12 @@ struct SimulatedCell {
 struct Scene {
     SceneKind kind = SceneKind::exit;
     CrossInk ink;
-    double nozzle_radius;     ///< [m]
+    double nozzle_radius;     ///< [m]; not read by shear, as is the velocity
     double velocity_average;  ///< [m/s]
     SimulatedCell cell{};     ///< not read by exit_flow, whose nozzle gets 6.25 times the resolution
     ChannelDrive drive = ChannelDrive::flow_rate;
+    double offset = 0.0;  ///< of the cell's centre from the axis [m]: above 0, channel and exit in space
+    double fluid_stress = 0.0;  ///< of the undisturbed ink [Pa]; read by shear alone
 };
 
 /// How the cell meets the lattice; the second is the usual way, kept for comparison with published
@@ -52,7 +56,7 @@ struct Scene {
 enum class CellCoupling { inside_elements, at_vertices };
 
 struct SimulationProgress {
-    const char* stage;  ///< "flow", "channel", "exit", "strand"
+    const char* stage;  ///< "flow", "channel", "exit", "strand", "shear"
     double done;        ///< of the stage, 0 … 1
 };
 
@@ -65,7 +69,7 @@ struct SimulationState {
 struct SimulationOptions {
     double resolution = 6.0;     ///< lattice nodes a cell radius, ≥ 3 (draft 3, standard 6, fine 12)
     bool estimate_error = true;  ///< run at half the resolution too
-    int threads = 1;             ///< two run both resolutions at once; the numbers do not depend on it
+    int threads = 1;  ///< on the axis two run both resolutions at once; the numbers do not depend on it
     double accuracy =
         8e-3;  ///< largest share of the lattice fluid's compression in the stress; sets the time step
     double settle_tolerance = 3e-3;  ///< of the cell's stress in the channel
@@ -114,6 +118,10 @@ struct SimulationWarning {
 
 struct SimulationResult {
     SceneKind scene{};
+    double offset = 0.0;        ///< of the cell's centre from the axis [m]
+    double fluid_stress = 0.0;  ///< of the undisturbed ink where the cell is [Pa]; 0 on the axis
+    double shear_rate = 0.0;    ///< there [1/s]
+    ChannelDrive drive{};
     std::vector<SimulatedValue> values;
     LatticeReport lattice;
     long steps = 0;                   ///< of every run

@@ -39,7 +39,10 @@ TEST_CASE("predict: without positions the paper's four are answered as far as th
     const Prediction wide = predict(paper_case());
     REQUIRE(wide.question.positions.size() == 4);
     CHECK(wide.question.positions[3].value == doctest::Approx(36e-6).epsilon(1e-14));
-    CHECK(wide.cells.size() == 6);  // the centred one in the nozzle, and at the exit by both models
+    // The centred one in the nozzle, and at the exit by both models; the others in the nozzle by both and at
+    // the exit in time.
+    CHECK(wide.cells.size() == 12);
+    CHECK(wide.passages.size() == 4);
 
     Case narrow = paper_case();
     narrow.radius = 25e-6;
@@ -69,8 +72,8 @@ TEST_CASE("predict: the load of a cell is the stress of the ink whatever the ink
     const Prediction newtonian = predict(question);
     question.ink.law.alpha = 0.75;
     const Prediction thinning = predict(question);
-    CHECK(newtonian.cells[4].stress->von_mises ==
-          doctest::Approx(thinning.cells[4].stress->von_mises).epsilon(1e-12));
+    CHECK(newtonian.cells[6].stress->von_mises ==
+          doctest::Approx(thinning.cells[6].stress->von_mises).epsilon(1e-12));
 }
 
 TEST_CASE(
@@ -99,7 +102,9 @@ TEST_CASE("predict: where no steady shape exists the ellipsoid carried in time h
     CHECK(carried.stress->von_mises > 1000.0);
     CHECK(carried.stress->von_mises < 2000.0);
     question.transient = false;
-    CHECK(predict(question).cells.size() == prediction.cells.size() - 1);
+    const Prediction steady = predict(question);
+    CHECK(steady.cells.size() == 5);
+    CHECK(steady.passages.empty());
 }
 
 TEST_CASE("predict: a slow print of a stiff cell is the same by the steady theory and in time") {
@@ -207,4 +212,62 @@ TEST_CASE("predict: a nozzle at rest loads no cell") {
         CHECK(cell.stress->von_mises == 0.0);
         CHECK(cell.stretch->at(0) == 1.0);
     }
+}
+
+TEST_CASE("predict: off the axis the settled ellipsoid is Roscoe's but for what the size adds") {
+    const Prediction p = predict(paper_case(0.3));
+    for (std::size_t i = 3; i < 12; i += 3) {
+        const CellAnswer& steady = p.cells.at(i);
+        const CellAnswer& nozzle = p.cells.at(i + 1);
+        const CellAnswer& exit = p.cells.at(i + 2);
+        CHECK(steady.model == Model::roscoe_shear);
+        CHECK(nozzle.model == Model::ellipsoid);
+        CHECK(nozzle.place == Place::nozzle);
+        CHECK(exit.place == Place::exit);
+        CHECK(nozzle.offset == steady.offset);
+        for (std::size_t k = 0; k < 3; ++k) {
+            CHECK(nozzle.stretch->at(k) == steady.stretch->at(k));
+            CHECK(nozzle.stress->elastic.at(k) == steady.stress->elastic.at(k));
+        }
+        CHECK(*nozzle.angle == *steady.angle);
+        CHECK(*nozzle.frequency == *steady.frequency);
+        // The bullet's part fades off the axis: 6 % at 1.5 R_c, less than 1 % at 4.5 R_c.
+        CHECK(nozzle.stress->von_mises > steady.stress->von_mises);
+        CHECK(nozzle.stress->von_mises < 1.06 * steady.stress->von_mises);
+        CHECK(*exit.relaxation_time > 0.0);
+    }
+}
+
+TEST_CASE("predict: the passage names the largest stress on the way and whether the nozzle is long enough") {
+    Case question = paper_case();
+    question.length = 12.7e-3;
+    const Prediction p = predict(question);
+    CHECK(p.passages.at(0).place == Place::exit);
+    CHECK(p.passages.at(0).von_mises == doctest::Approx(p.cells.at(2).stress->von_mises).epsilon(1e-3));
+    CHECK(*p.passages.at(0).position > 0.0);
+    CHECK(p.passages.at(3).place == Place::nozzle);
+    CHECK(*p.passages.at(3).position < -12e-3);  // soon after the entrance: the overshoot
+    CHECK(p.passages.at(3).nozzle_peak > p.passages.at(3).nozzle_steady);
+    for (const PassageAnswer& way : p.passages) CHECK(*way.settles);
+    CHECK_FALSE(warns(p, "unsettled"));
+
+    question.length = 0.4e-3;
+    const Prediction brief = predict(question);
+    CHECK(warns(brief, "unsettled"));
+    CHECK_FALSE(*brief.passages.at(1).settles);
+    CHECK_FALSE(brief.passages.at(1).settling_time.has_value());
+    CHECK(brief.cells.at(3).applies == false);
+    CHECK(p.cells.at(6).applies == true);
+}
+
+TEST_CASE("predict: a steady entry says whether its assumptions hold") {
+    Case question = paper_case();
+    question.positions = {{0.0}, {4e-6}, {24e-6}, {40e-6}};
+    const Prediction p = predict(question);
+    CHECK(p.cells.at(0).applies == true);   // G R_c/μ = 0.14
+    CHECK(p.cells.at(1).applies == false);  // fast
+    CHECK_FALSE(p.cells.at(2).applies.has_value());
+    CHECK(p.cells.at(3).applies == false);  // near the axis
+    CHECK(p.cells.at(6).applies == true);
+    CHECK(p.cells.at(9).applies == false);  // near the wall
 }
