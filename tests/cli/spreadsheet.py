@@ -12,7 +12,7 @@ need("soffice")
 
 LOCALES = {"en-US": ",", "de-DE": ";"}
 SHEET = "{http://schemas.openxmlformats.org/spreadsheetml/2006/main}"
-TEST_MODULE = """
+TEST_MODULE = '''
 Sub Main
     Dim document As Object
     Dim sheet As Object
@@ -38,19 +38,20 @@ Sub Main
     document.close(True)
     StarDesktop.terminate()
 End Sub
-"""
+'''
 
 
 class Spreadsheet(Case):
     def profile(self, locale):
         """A user's folder with the locale set and the macros installed."""
+        # The first start fills a new folder and would put its own empty modules over ours.
+        self.office(locale, "--terminate_after_init")
         basic = self.folder / locale / "user" / "basic" / "Standard"
-        basic.mkdir(parents=True)
-        (self.folder / locale / "user" / "registrymodifications.xcu").write_text(
-            '<?xml version="1.0" encoding="UTF-8"?><oor:items xmlns:oor="http://openoffice.org/2001/registry">'
-            '<item oor:path="/org.openoffice.Setup/L10N"><prop oor:name="ooSetupSystemLocale" oor:op="fuse">'
-            f"<value>{locale}</value></prop></item></oor:items>"
-        )
+        basic.mkdir(parents=True, exist_ok=True)
+        settings = self.folder / locale / "user" / "registrymodifications.xcu"
+        ours = ('<item oor:path="/org.openoffice.Setup/L10N"><prop oor:name="ooSetupSystemLocale" oor:op="fuse">'
+                f"<value>{locale}</value></prop></item></oor:items>")  # fmt: skip
+        settings.write_text(settings.read_text(encoding="utf-8").replace("</oor:items>", ours), encoding="utf-8")
         macro = (EXAMPLES / "libreoffice-macro.bas").read_text(encoding="utf-8")
         macro = macro.replace('"bioprint-predict"', f'"{PROGRAM}"')
         modules = {"Bioprint": macro, "Check": TEST_MODULE % (self.folder / f"{locale}.xlsx")}
@@ -73,7 +74,7 @@ class Spreadsheet(Case):
     def office(self, locale, *arguments):
         done = subprocess.run(
             ["soffice", f"-env:UserInstallation=file://{self.folder / locale}", "--headless", "--norestore", *arguments],
-            cwd=self.folder, capture_output=True, timeout=280, check=False)  # fmt: skip
+            cwd=self.folder, capture_output=True, timeout=900, check=False)  # fmt: skip
         self.assertEqual(done.returncode, 0, done.stderr.decode())
 
     def rows(self, name):
