@@ -57,7 +57,7 @@ _bioprint_predict() {
                 --model --population --threshold --profile --batch -f --format --json --get --history -o --output
                 --plot --plot-kind --report --shard
                 -j --jobs -q --quiet -v --verbose --no-color --list --simulate --fidelity --resolution
-                --fluid-stress --channel-time --out --resume --checkpoint-interval --version -h --help'
+                --fluid-stress --channel-time --tolerance --budget --explain --dry-run --out --resume --checkpoint-interval --version -h --help'
             ;;
     esac
     local proposals

@@ -6,6 +6,7 @@
 
 #include "bioprint/errors.hpp"
 #include "bioprint/io/answer.hpp"
+#include "cli/ladder_options.hpp"
 #include "cli/long_run.hpp"
 #include "cli/picture_options.hpp"
 
@@ -46,6 +47,7 @@ struct Raw {
     std::optional<std::string> channel_time;
     bool json = false;
     RawLongRun long_run;
+    RawLadder ladder;
 };
 
 std::string option_names(const KeyInfo& info) {
@@ -284,6 +286,7 @@ std::optional<Arguments> parse_words(int argc, const char* const* argv) {
     add_answer_options(app, raw, arguments);
     add_simulation_options(app, raw);
     add_long_run_options(app, raw.long_run);
+    add_ladder_options(app, raw.ladder);
     Problems problems;
     try {
         app.parse(argc, argv);
@@ -308,6 +311,7 @@ std::optional<Arguments> parse_words(int argc, const char* const* argv) {
     collect_answer(raw, arguments, problems);
     if (!raw.long_run.resume) collect_simulation(raw, arguments, problems);
     collect_long_run(raw.long_run, arguments, problems);
+    collect_ladder(raw.ladder, arguments, problems);
     collect_pictures(raw.pictures, arguments, problems);
     arguments.pictures.call.assign(argv, argv + argc);
     problems.raise();

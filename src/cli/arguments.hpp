@@ -35,6 +35,8 @@ struct Arguments {
     std::optional<unsigned> jobs;
     std::optional<SimulationQuestion> simulation;
     std::optional<LongRun> long_run;
+    std::optional<LadderQuestion> ladder;
+    bool dry_run = false;
     TypedQuestion typed;  ///< every option of the question, as typed
     bool quiet = false;
     bool verbose = false;

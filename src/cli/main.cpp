@@ -16,7 +16,9 @@
 #include "bioprint/errors.hpp"
 #include "bioprint/io/answer.hpp"
 #include "cli/arguments.hpp"
+#include "cli/ladder_options.hpp"
 #include "io/batch.hpp"
+#include "io/dry_run.hpp"
 #include "io/history.hpp"
 #include "io/pictures.hpp"
 #include "io/preset_list.hpp"
@@ -154,50 +156,53 @@ void say_how_to_resume(const Arguments& arguments) {
         "' goes on from there");
 }
 
-int run(const Arguments& arguments) {
-    WholeFile output(arguments.output.value_or("-"));
-    std::optional<Workbook> workbook;
-    if (names_workbook(arguments.output.value_or(""))) workbook.emplace();
-    const Sink sink = [&](std::string_view text) { workbook ? workbook->add(text) : output.write(text); };
-    const auto commit = [&] {
-        if (workbook) output.write(workbook->bytes());
-        output.commit();
-    };
-    const Sink notice = [&](std::string_view text) {
-        if (!arguments.quiet) say(text);
-    };
-    if (arguments.list) {
-        sink(preset_list(*arguments.list));
-        output.commit();
-        return 0;
+/// Where the answer goes: as text, or as the rows of a workbook.
+class Output {
+  public:
+    explicit Output(const Arguments& arguments) : file_(arguments.output.value_or("-")) {
+        if (names_workbook(arguments.output.value_or(""))) workbook_.emplace();
     }
-    const RunOptions options = run_options(arguments);
-    if (arguments.history) {
-        WholeFile history(*arguments.history);
-        history.write(history_csv(arguments.sweep.fixed()));
-        history.commit();
+    void write(std::string_view text) { workbook_ ? workbook_->add(text) : file_.write(text); }
+    void flush() {
+        if (!workbook_) file_.flush();
     }
-    Pictures pictures(arguments.pictures, arguments.sweep, notice);
-    if (arguments.simulation) {
-        try {
-            run_simulation(arguments, options, sink, pictures);
-        } catch (const SimulationIncomplete& e) {
-            output.commit();  // the prediction, and what the simulation had
-            say(e.what());
-            if (interrupted) say_how_to_resume(arguments);
-            return interrupted ? status_interrupted : exit_status_of_current();
-        }
-        output.commit();
+    void commit() {
+        if (workbook_) file_.write(workbook_->bytes());
+        file_.commit();
+    }
+
+  private:
+    WholeFile file_;
+    std::optional<Workbook> workbook_;
+};
+
+int answer_by_simulation(const Arguments& arguments, const RunOptions& options, Output& output,
+                         Pictures& pictures) {
+    try {
+        run_simulation(
+            arguments, options, [&](std::string_view text) { output.write(text); }, pictures);
+    } catch (const SimulationIncomplete& e) {
+        output.commit();  // the prediction, and what the simulation had
         pictures.commit();
-        return 0;
+        say(e.what());
+        if (interrupted) say_how_to_resume(arguments);
+        return interrupted ? status_interrupted : exit_status_of_current();
     }
+    output.commit();
+    pictures.commit();
+    return 0;
+}
+
+int answer_rows(const Arguments& arguments, const RunOptions& options, const Sink& notice, Output& output,
+                Pictures& pictures) {
+    const Sink sink = [&](std::string_view text) { output.write(text); };
     pictures.draw(options);
     RunResult result;
     if (arguments.batch) {
         const BatchInput input{.file = *arguments.batch, .defaults = arguments.sweep.fixed()};
         const Sink row_sink = [&](std::string_view text) {
             sink(text);
-            if (!workbook) output.flush();
+            output.flush();
         };
         result = run_batch(input, arguments.format, options, row_sink, notice);
     } else {
@@ -206,9 +211,40 @@ int run(const Arguments& arguments) {
             say(reference_report(arguments.sweep.fixed()));
     }
     const bool to_file = arguments.output.has_value();
-    if (!(result.interrupted && to_file)) commit();
+    if (!(result.interrupted && to_file)) output.commit();
     pictures.commit();
     return status_of(result, to_file);
+}
+
+int run(Arguments arguments) {
+    Output output(arguments);
+    const Sink notice = [&](std::string_view text) {
+        if (!arguments.quiet) say(text);
+    };
+    if (arguments.list) {
+        output.write(preset_list(*arguments.list));
+        output.commit();
+        return 0;
+    }
+    RunOptions options = run_options(arguments);
+    if (arguments.ladder) options.ladder = take_rung(arguments);
+    if (arguments.dry_run) {
+        output.write(dry_run({.sweep = arguments.sweep,
+                              .batch = arguments.batch,
+                              .simulation = arguments.simulation,
+                              .ladder = options.ladder,
+                              .jobs = options.jobs}));
+        output.commit();
+        return 0;
+    }
+    if (arguments.history) {
+        WholeFile history(*arguments.history);
+        history.write(history_csv(arguments.sweep.fixed()));
+        history.commit();
+    }
+    Pictures pictures(arguments.pictures, arguments.sweep, notice);
+    return arguments.simulation ? answer_by_simulation(arguments, options, output, pictures)
+                                : answer_rows(arguments, options, notice, output, pictures);
 }
 
 }  // namespace

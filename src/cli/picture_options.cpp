@@ -48,6 +48,7 @@ void collect_workbook(const RawPictures& raw, Arguments& arguments, Problems& pr
     if (arguments.simulation) refuse("--simulate", "has no workbook; name an --output that ends in .json");
     if (raw.shard)
         refuse("--shard", "the pieces of a workbook cannot be joined; name an --output that ends in .csv");
+    if (arguments.dry_run) refuse("--dry-run", "has no workbook; name another --output");
     if (arguments.list) refuse("--list", "has no workbook; name another --output");
     arguments.format = Format::csv;
 }

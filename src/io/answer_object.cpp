@@ -143,6 +143,7 @@ Json cell_object(const CellAnswer& cell) {
                            .take());
     if (cell.place == Place::exit) object.add("relaxation_time", number(cell.relaxation_time));
     if (cell.applies) object.add("applies", *cell.applies);
+    object.add("error", number(cell.error));
     return object.take();
 }
 

@@ -26,22 +26,29 @@ std::string profile_csv(const RadialProfile& profile) {
     return writer.text();
 }
 
+Json answer_of(const Prediction& prediction, const RunOptions& options) {
+    Json answer = answer_object(prediction);
+    if (options.ladder) answer["choice"] = ladder_object(*options.ladder);
+    return answer;
+}
+
 /// One question, whose refusal is the call's refusal.
 void answer_one(const Settings& row, const RunOptions& options, const Sink& sink, const Sink& notice) {
     const Prediction prediction = predict(row.make_case());
     if (!options.paths.empty()) {
-        const Json answer = answer_object(prediction);
+        const Json answer = answer_of(prediction, options);
         for (const std::string& path : options.paths) sink(value_text(value_at(answer, path)) + "\n");
         for (const Warning& warning : prediction.warnings) notice(warning.message);
         return;
     }
     switch (options.format) {
         case Format::table:
-            return sink(answer_table(prediction, options.style));
+            return sink(answer_table(prediction, options.style) +
+                        (options.ladder ? ladder_section(*options.ladder, options.style) : ""));
         case Format::json:
-            return sink(json_text(answer_object(prediction), 2) + "\n");
+            return sink(json_text(answer_of(prediction, options), 2) + "\n");
         case Format::jsonl:
-            return sink(json_text(answer_object(prediction)) + "\n");
+            return sink(json_text(answer_of(prediction, options)) + "\n");
         case Format::csv:
             break;
     }

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/ladder_answer.hpp"
 #include "io/settings.hpp"
 #include "io/shard.hpp"
 #include "io/sweep.hpp"
@@ -25,6 +26,7 @@ struct RunOptions {
     Format format = Format::table;
     std::vector<std::string> paths;  ///< of `--get`: print these values alone
     TableStyle style = {};
+    std::optional<LadderAnswer> ladder = {};  ///< which model answers, and why
     unsigned jobs = 1;
     std::optional<Shard> shard = {};  ///< answer this piece alone; the head stands in the first
     const std::atomic<bool>* interrupted = nullptr;  ///< set by Ctrl-C; what was finished is kept

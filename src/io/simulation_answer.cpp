@@ -7,6 +7,7 @@
 #include "bioprint/errors.hpp"
 #include "bioprint/io/number_format.hpp"
 #include "io/answer_object.hpp"
+#include "io/ladder_answer.hpp"
 #include "io/row_answer.hpp"
 #include "io/simulated_answer.hpp"
 #include "io/table.hpp"
@@ -52,6 +53,11 @@ Json finite(double value) {
 std::optional<double> difference(const ComparedValue& value) {
     if (!value.predicted || value.simulated == 0.0) return std::nullopt;
     return *value.predicted / value.simulated - 1.0;
+}
+
+/// None for a run that did not get far enough to have its error estimated.
+std::optional<double> stated_error(const ComparedValue& value) {
+    return value.error > 0.0 ? std::optional(value.error) : std::nullopt;
 }
 
 /// A map of values; "stretch.0" to "stretch.2" become one list.
@@ -110,7 +116,7 @@ Json simulation_object(const Comparison& comparison, const SimulationQuestion& q
     object["simulated"] =
         values_object(comparison.values, [](const auto& v) { return std::optional(v.simulated); });
     object["difference"] = values_object(comparison.values, [](const auto& v) { return difference(v); });
-    object["error"] = values_object(comparison.values, [](const auto& v) { return std::optional(v.error); });
+    object["error"] = values_object(comparison.values, [](const auto& v) { return stated_error(v); });
     object["series"] = series_object(run.series);
     return object;
 }
@@ -196,11 +202,15 @@ std::string simulation_table(const Comparison& comparison, const SimulationQuest
         const ValueName& name = label_of(value.name);
         if (value.name == "stretch.2" && !in_space) continue;  // as stretch.1
         const std::optional<double> off = difference(value);
-        const double error = value.simulated == 0.0 ? 0.0 : std::abs(value.error / value.simulated);
-        rows.push_back({label_in(run, name), value.predicted ? shown(*value.predicted, name) : "–",
-                        shown(value.simulated, name),
-                        off ? format_lab(100.0 * *off, Dimension::dimensionless, 2).number + " %" : "–",
-                        format_lab(100.0 * error, Dimension::dimensionless, 2).number + " %"});
+        const std::optional<double> error = value.simulated == 0.0 ? std::nullopt : stated_error(value);
+        rows.push_back(
+            {label_in(run, name), value.predicted ? shown(*value.predicted, name) : "–",
+             shown(value.simulated, name),
+             off ? format_lab(100.0 * *off, Dimension::dimensionless, 2).number + " %" : "–",
+             error ? format_lab(100.0 * std::abs(*error / value.simulated), Dimension::dimensionless, 2)
+                             .number +
+                         " %"
+                   : "–"});
     }
     std::string text = "\n" + table_heading("Simulation: " + scene_title(run), style) + table_grid(rows, 1) +
                        "  " +
@@ -217,9 +227,11 @@ void write(const Prediction& prediction, const Comparison& comparison, const Sim
            const RunOptions& options, const Sink& sink) {
     if (options.format == Format::table && options.paths.empty()) {
         return sink(answer_table(prediction, options.style) +
-                    simulation_table(comparison, question, options.style));
+                    simulation_table(comparison, question, options.style) +
+                    (options.ladder ? ladder_section(*options.ladder, options.style) : ""));
     }
-    const Json answer = simulated_answer_object(prediction, comparison, question);
+    Json answer = simulated_answer_object(prediction, comparison, question);
+    if (options.ladder) answer["choice"] = ladder_object(*options.ladder);
     if (!options.paths.empty()) {
         for (const std::string& path : options.paths) sink(value_text(value_at(answer, path)) + "\n");
         return;
@@ -245,6 +257,37 @@ std::string breakdown(const SimulationResult& run) {
 }  // namespace
 
 namespace {
+
+/// Finest runs that --tolerance tries on the axis and in space [nodes a cell radius].
+constexpr double finest_on_axis = 12.0;
+constexpr double finest_in_space = 6.0;
+
+/// The numerical error of a scene's judged number, relative.
+double own_error(const SimulationResult& run) {
+    const SimulatedValue& value = run.at(std::string(judged_value(run.scene)));
+    return std::abs(value.error / value.value);
+}
+
+/// Doubles the resolution until the run's own error is within the tolerance, or a finer one is out of reach.
+Comparison refined(const Prediction& prediction, const SceneChoice& scene, SimulationOptions simulation,
+                   double tolerance) {
+    const bool in_space = scene.kind == SceneKind::shear || scene.offset > 0.0;
+    const double finest = in_space ? finest_in_space : finest_on_axis;
+    while (true) {
+        Comparison comparison = compare_with_simulation(prediction, scene, simulation);
+        if (own_error(comparison.run) <= tolerance || simulation.resolution * 2.0 > finest) return comparison;
+        simulation.resolution *= 2.0;
+    }
+}
+
+std::string beyond_tolerance(const SimulationResult& run, const SimulationQuestion& question) {
+    if (!question.tolerance || own_error(run) <= *question.tolerance) return {};
+    const auto percent = [](double share) {
+        return format_lab(100.0 * share, Dimension::dimensionless, 2).number + " %";
+    };
+    return "the finest run that --tolerance tries has a numerical error of " + percent(own_error(run)) +
+           ", more than the " + percent(*question.tolerance) + " asked for; --resolution goes further";
+}
 
 bool is_scene(std::string_view name) {
     return name == "shear" || name == "channel" || name == "exit-flow" || name == "exit" || name == "auto";
@@ -367,8 +410,11 @@ void answer_with_simulation(const Settings& settings, const SimulationQuestion& 
         return comparison;
     };
     if (files != nullptr) files->attach(simulation);
+    std::string short_of;
     try {
-        const Comparison comparison = remarked(compare_with_simulation(prediction, chosen.scene, simulation));
+        const Comparison comparison =
+            remarked(question.tolerance ? refined(prediction, chosen.scene, simulation, *question.tolerance)
+                                        : compare_with_simulation(prediction, chosen.scene, simulation));
         const std::string failure = breakdown(comparison.run);
         if (!failure.empty()) throw SimulationIncomplete(failure, comparison.run);
         if (files != nullptr) {
@@ -378,11 +424,14 @@ void answer_with_simulation(const Settings& settings, const SimulationQuestion& 
         }
         write(prediction, comparison, question, options, sink);
         if (seen) seen(prediction, comparison);
+        short_of = beyond_tolerance(comparison.run, question);
     } catch (const SimulationIncomplete& e) {
         if (files != nullptr) files->write_series(e.result().series);
         write(prediction, remarked(compare(prediction, e.result())), question, options, sink);
         throw;
     }
+    // A run that could not be refined to the tolerance is an answer, but not the one asked for.
+    if (!short_of.empty()) throw SimulationIncomplete(short_of, {});
 }
 
 }  // namespace bioprint

@@ -20,6 +20,7 @@ struct SimulationQuestion {
     std::optional<double> resolution;    ///< nodes a cell radius; overrides the fidelity's 3, 6 or 12
     std::optional<double> fluid_stress;  ///< of the shear scene [Pa]
     std::optional<double> channel_time;  ///< how long the cell stays in the nozzle [s]
+    std::optional<double> tolerance;     ///< relative error down to which the run is refined
 };
 
 /// A scene and the position it is simulated for.

@@ -91,11 +91,11 @@ CarriedCells::CarriedCells(const NozzleFlow& flow, Prediction& prediction)
         return;
     }
     if (!size_.keeps_shape()) {
-        warn_once(prediction, "no_bullet",
-                  "this cell is too soft to keep a shape in the nozzle (G R_c/μ above " +
-                      brief(softest_bullet) +
-                      "): the ellipsoid starts round before the exit and leaves out what the flow's "
-                      "curvature does to it");
+        warn_once(
+            prediction, "no_bullet",
+            "this cell is too soft to keep a shape in the nozzle (G R_c/μ above " + brief(softest_bullet) +
+                "), where its stress grows with the time it spends there: the ellipsoid leaves with the "
+                "shape of that load and gives a lower bound");
     }
     if (size_.axis()->extrapolated) {
         warn_once(prediction, "exit_extrapolated",

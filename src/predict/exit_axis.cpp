@@ -4,12 +4,10 @@
 #include <cmath>
 
 #include "predict/exit_axis_table.hpp"
+#include "predict/exit_series.hpp"
 
 namespace bioprint {
 namespace {
-
-constexpr double tail_length = 1.2;
-constexpr double power = 0.6;
 
 /// β(X) from X = −1.4 in steps of 0.1: the r² part of the velocity near the axis of the Newtonian
 /// finite-element solution over its value in the nozzle. It leaves as 1 − β = 8e-4 e^((X+1.4)/0.11) and fades
@@ -38,49 +36,13 @@ double shear_part(double x) {
                  u - static_cast<double>(i));
 }
 
-/// Position among ascending knots: which interval and how far in it; clamped to the ends.
-struct Place {
-    std::size_t index;
-    double part;
-};
-
-template <std::size_t N, typename Scale>
-Place place(const std::array<double, N>& knots, double x, Scale&& scale) {
-    x = std::clamp(x, knots.front(), knots.back());
-    std::size_t i = 0;
-    while (i + 2 < N && x > knots[i + 1]) ++i;
-    return {.index = i, .part = (scale(x) - scale(knots[i])) / (scale(knots[i + 1]) - scale(knots[i]))};
-}
-
-/// Cubic in one direction; the end knots are continued in a straight line.
-template <std::size_t N, typename Value>
-double interpolate(const Place& p, Value&& value) {
-    const double b = value(p.index);
-    const double c = value(p.index + 1);
-    const double a = p.index > 0 ? value(p.index - 1) : 2.0 * b - c;
-    const double d = p.index + 2 < N ? value(p.index + 2) : 2.0 * c - b;
-    return cubic(a, b, c, d, p.part);
-}
-
-ExitShape exit_shape(double alpha, double rate) {
-    const Place in_alpha = place(exit_alphas, alpha, [](double x) { return x; });
-    const Place in_rate = place(exit_rates, rate, [](double x) { return std::log(x); });
-    const auto read = [&](double ExitShape::*member) {
-        return interpolate<exit_alphas.size()>(in_alpha, [&](std::size_t i) {
-            return interpolate<exit_rates.size()>(in_rate,
-                                                  [&](std::size_t j) { return exit_shapes[i][j].*member; });
-        });
-    };
-    ExitShape shape{
-        .x0 = read(&ExitShape::x0), .w = read(&ExitShape::w), .c = std::max(0.0, read(&ExitShape::c))};
-    if (rate < exit_rates.front()) {
-        const ExitShape& newtonian = exit_shapes.front().front();
-        const double part = std::pow(rate / exit_rates.front(), alpha);
-        shape = {.x0 = newtonian.x0 + part * (shape.x0 - newtonian.x0),
-                 .w = newtonian.w + part * (shape.w - newtonian.w),
-                 .c = newtonian.c + part * (shape.c - newtonian.c)};
+ExitNodes nodes_of(const ExitKind& kind) {
+    const ExitTerms terms = exit_terms(kind);
+    ExitNodes nodes = exit_newtonian;
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+        for (std::size_t k = 0; k < nodes.size(); ++k) nodes[k] += terms[i] * exit_thinning[i][k];
     }
-    return shape;
+    return nodes;
 }
 
 }  // namespace
@@ -90,26 +52,21 @@ ExitAxis::ExitAxis(const NozzleFlow& flow)
       velocity_average_(flow.velocity_average()),
       velocity_excess_(flow.velocity_excess()),
       pressure_gradient_(flow.pressure_gradient()) {
-    const double alpha = flow.ink().alpha;
-    const double rate = flow.ink().time_constant * velocity_average_ / radius_;
-    extrapolated_ = alpha > exit_alphas.back() || (alpha > 0.0 && rate > exit_rates.back());
-    const ExitShape s = exit_shape(alpha, rate);
+    const ExitKind kind = exit_kind(flow);
+    extrapolated_ = beyond_exit_table(kind);
+    const ExitSpline spline(nodes_of(kind));
+    std::size_t piece = 0;
     for (std::size_t i = 0; i < size; ++i) {
-        const double x = first + step * static_cast<double>(i) - s.x0;
-        const double sharp = std::exp(std::min(x / s.w, 300.0));
-        const double tail = s.c * std::exp(x / tail_length);
-        const double g = 1.0 + sharp + tail;
-        const double slope = (sharp / s.w + tail / tail_length) / g;
-        const double bend = (sharp / (s.w * s.w) + tail / (tail_length * tail_length)) / g;
-        const double f = std::pow(g, -power);
-        knots_[i] = {.value = f,
-                     .slope = -power * f * slope * step,
-                     .bend = power * f * ((power + 1.0) * slope * slope - bend) * step * step};
+        const ExitSpline::Point y = spline.at(first + step * static_cast<double>(i), piece);
+        const ExitShare f = exit_share(y.logit);
+        knots_[i] = {.value = f.value,
+                     .slope = f.slope * y.slope * step,
+                     .bend = (f.slope * y.bend + f.bend * y.slope * y.slope) * step * step};
     }
 }
 
 ExitAxis::Shape ExitAxis::shape(double x_over_radius) const {
-    const double position = (std::clamp(x_over_radius, first, -first) - first) / step;
+    const double position = (std::clamp(x_over_radius, first, last) - first) / step;
     const auto i = std::min(static_cast<std::size_t>(position), size - 2);
     const double t = position - static_cast<double>(i);
     const Knot& a = knots_[i];

@@ -10,12 +10,12 @@
 /// The undisturbed flow about a nozzle's end off the axis, from the one on it: an interpolated stream
 /// function.
 ///
-///   ψ(x, r) = u_avg r²/2 + f(X/s) D(r),   D = ∫_0^r (u − u_avg) r' dr',   s = 1 − r²/(2R²)
+///   ψ(x, r) = u_avg r²/2 + f(X/s) D(r),   D = ∫_0^r (u − u_avg) r' dr',   s = 1 − c r²/R²
 ///
 /// f is the profile on the axis (exit_axis.hpp), u that of the nozzle. It conserves mass exactly, is the
 /// nozzle's flow far upstream, the plug far downstream, and the finite-element velocity on the axis. s makes
-/// the change sharper towards the lip: with it the largest radial velocity is within 2 % (α 0 and 0.3) and 5
-/// % (α 0.75) of the finite-element one, 15 to 20 % further in than that. At the wall itself the ink slips
+/// the change sharper towards the lip: c = 0.605 − 0.23 (1 − n_e) brings the largest radial velocity to within 2 % of
+/// the finite-element one at α 0, 0.3 and 0.75, 15 to 20 % further in than that. At the wall itself the ink slips
 /// over the last half radius; no cell reaches it.
 namespace bioprint {
 
@@ -59,6 +59,7 @@ class ExitField {
     ExitAxis axis_;
     double radius_;
     double velocity_average_;
+    double sharpening_;  ///< c
     std::array<Excess, size> knots_{};
 };
 

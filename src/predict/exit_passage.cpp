@@ -1,5 +1,7 @@
 #include "bioprint/predict/exit_passage.hpp"
 
+#include <algorithm>
+
 #include "predict/exit_axis.hpp"
 
 namespace bioprint {
@@ -9,13 +11,16 @@ namespace {
 // before 8.
 constexpr double before = 4.0;
 constexpr double after = 7.5;
+/// G R_c/μ from which the shape of the nozzle fades: the softest cell passes as the ink itself does.
+constexpr double bullet_fades = 2.6;
 
 }  // namespace
 
 ExitPassageRequest exit_passage_request(const NozzleFlow& flow, const AxisCell& cell) {
     ExitPassageRequest request{.cell = cell};
-    if (flow.pressure_gradient() * cell.radius > softest_bullet * cell.shear_modulus) {
-        request.effects.quadratic_flow = false;
+    const double load = flow.pressure_gradient() * cell.radius / cell.shear_modulus;
+    if (load > softest_bullet) {
+        request.effects.quadratic_share = softest_bullet / load * std::min(1.0, bullet_fades / load);
     }
     return request;
 }

@@ -18,7 +18,7 @@ class Scan {
     /// @param weight  what the integral weights it with there
     template <typename Value, typename Weight>
     void take(double from, double to, const Value& value, const Weight& weight) {
-        constexpr int parts = 2;
+        constexpr int parts = 4;
         double start = last_ * weight(0.0);
         for (int i = 0; i < parts; ++i) {
             const double low = static_cast<double>(i) / parts;

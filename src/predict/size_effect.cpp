@@ -9,7 +9,7 @@
 namespace bioprint {
 
 double combined_stress(double uniform, double linear, double shear_part) {
-    if (linear <= 0.0) return uniform;
+    if (linear <= 0.0) return std::sqrt(std::max(0.0, (uniform - linear) * (uniform + linear)));
     const double u = uniform * uniform;
     const double l = linear * linear;
     return std::sqrt(u + l * (1.0 - 0.5 * shear_part * u / (u + l)));
@@ -25,7 +25,7 @@ SizeEffect::SizeEffect(const NozzleFlow& flow, const AxisCell& cell)
                              .shear_modulus = cell.shear_modulus})
                          .von_mises) {
     ExitPassageRequest request = exit_passage_request(flow, cell);
-    keeps_shape_ = request.effects.quadratic_flow;
+    keeps_shape_ = request.effects.quadratic_share == 1.0;
     request.observe_every = step_;
     std::size_t i = 0;
     std::array<double, knots> time{};
@@ -33,9 +33,10 @@ SizeEffect::SizeEffect(const NozzleFlow& flow, const AxisCell& cell)
         if (i >= knots) return;
         const double axial = s.axial_stretch;
         const double uniform = cell.shear_modulus * (axial * axial - 1.0 / axial);
+        const double square = (s.von_mises - uniform) * (s.von_mises + uniform);
         time[i] = s.time;
         value_[i++] = {.log_stretch = std::log(axial),
-                       .linear = std::sqrt(std::max(0.0, (s.von_mises - uniform) * (s.von_mises + uniform))),
+                       .linear = std::copysign(std::sqrt(std::abs(square)), square),
                        .slip = 0.0};
     });
     request.effects = {.volume_average = false, .quadratic_flow = false, .disturbed_viscosity = false};
@@ -70,7 +71,7 @@ SizeEffect::Effect SizeEffect::at(double x) const {
         return b.*v + t * (m + t * (3.0 * (c.*v - b.*v) - 2.0 * m - n + t * (2.0 * (b.*v - c.*v) + m + n)));
     };
     return {.log_stretch = cubic(&Effect::log_stretch),
-            .linear = std::max(0.0, cubic(&Effect::linear)),
+            .linear = cubic(&Effect::linear),
             .slip = cubic(&Effect::slip)};
 }
 

@@ -29,7 +29,8 @@
 /// average itself.                                                       tests/verify/size_effect.cpp
 namespace bioprint {
 
-/// The volume average of the von Mises stress of a uniform and a linear part.
+/// The volume average of the von Mises stress of a uniform and a linear part. A negative linear part is taken off: a
+/// cell bent in the nozzle bears a little less than its stretch says.
 double combined_stress(double uniform, double linear, double shear_part);
 
 class SizeEffect {

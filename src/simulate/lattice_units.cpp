@@ -13,6 +13,7 @@ constexpr double largest_wall_reynolds = 5.0;
 constexpr double largest_reynolds = 1.0;
 constexpr double largest_modulus = 0.2 * sound_squared;
 constexpr double largest_velocity = 0.05;
+constexpr double softest_cell = 2.5;  ///< G R_c/μ: 2 settles on every lattice, 3.2 breaks on the finest
 constexpr double smallest_viscosity = 1e-3;
 constexpr int smallest_radius = 12;
 constexpr int largest_radius = 2000;
@@ -179,6 +180,18 @@ void check(const Scene& scene, const SimulationOptions& options) {
                              number(largest_confinement * scene.nozzle_radius) + " m",
                          "--cell-radius");
     }
+}
+
+void check_softness(const Scene& scene, const NozzleFlow& flow, const SimulationOptions& options) {
+    const double softness = flow.pressure_gradient() * scene.cell.radius / scene.cell.shear_modulus;
+    if (options.channel_time > 0.0 || softness <= softest_cell) return;
+    throw UsageError(
+        "this cell is too soft to keep a shape in this nozzle: G R_c/μ is " + number(softness) +
+            " and runs above " + number(softest_cell) +
+            " find no steady one; say how long it stays in the nozzle with --channel-time, or take a "
+            "shear modulus of " +
+            number(scene.cell.shear_modulus * softness / softest_cell) + " Pa or more",
+        "--channel-time");
 }
 
 }  // namespace bioprint

@@ -56,4 +56,8 @@ LatticeUnits units_for_flow(const NozzleFlow& flow, int nodes);
 /// @throws UsageError  a quantity of the scene is out of range, or the cell too large for the nozzle
 void check(const Scene& scene, const SimulationOptions& options);
 
+/// A cell on the axis keeps a shape in a long nozzle only up to some G R_c/μ; softer ones are drawn out without end.
+/// @throws UsageError  it is softer, and no time in the nozzle was given
+void check_softness(const Scene& scene, const NozzleFlow& flow, const SimulationOptions& options);
+
 }  // namespace bioprint

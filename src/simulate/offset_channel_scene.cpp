@@ -58,8 +58,7 @@ class Channel {
                 sample();
                 ended = is_over();
                 setup_.watch.keep_state("channel", ended, [this] { return record(); });
-                if (!setup_.watch.goes_on("channel",
-                                          ended ? 1.0 : static_cast<double>(result_.steps) / total_)) {
+                if (!setup_.watch.goes_on("channel", ended ? 1.0 : fraction())) {
                     result_.stopped = cancelled_run;
                 }
             }
@@ -145,6 +144,14 @@ class Channel {
         if (setup_.drive == OffsetDrive::constant_flow_rate) {
             hold_flow_rate();
         }
+    }
+
+    /// Of the run; most settle within four windows.
+    [[nodiscard]] double fraction() const {
+        const auto done = static_cast<double>(result_.steps);
+        const double usual = 4.0 * static_cast<double>(samples_a_window) * static_cast<double>(stride_);
+        const double settling = setup_.settle_tolerance > 0.0 ? std::min(0.95, done / usual) : 0.0;
+        return std::max(settling, done / static_cast<double>(total_));
     }
 
     [[nodiscard]] bool is_settled() const {

@@ -15,8 +15,8 @@ namespace {
 // Nozzle before the cell's start and strand behind its end, in radii: the flow there is developed.
 constexpr double margin_before = 1.5;
 constexpr double margin_behind = 1.5;
-constexpr double strand_length = 3.0;  ///< the period of the strand the cell relaxes in [radii]
-constexpr double relaxed = 0.04;       ///< of the peak
+constexpr double strand_length = 10.0;  ///< the period of the strand the cell relaxes in [cell radii]
+constexpr double relaxed = 0.04;        ///< of the peak
 // A cell is never slower than a third of the average, and relaxes long before it has gone this far.
 constexpr double slowest = 1.0 / 3.0;
 constexpr double longest_strand = 100.0;  ///< [radii]
@@ -85,6 +85,7 @@ class Passage {
         const int stride = std::max(20, static_cast<int>(radius_));
         constexpr int most_rounds = 200;
         double before = 0.0;
+        double near = 0.0;
         int still = 0;
         for (int round = 0; round < most_rounds && still < 3; ++round) {
             for (int i = 0; i < stride; ++i) {
@@ -99,8 +100,9 @@ class Passage {
             const double change = std::abs(peak - before) / peak;
             still = change < rest_tolerance ? still + 1 : 0;
             before = peak;
-            const double near = std::clamp(std::log(change) / std::log(rest_tolerance), 0.0, 1.0);
-            if (!setup_.watch.goes_on("flow", still == 3 ? 1.0 : 0.9 * near)) {
+            const double reached = std::clamp(std::log(change) / std::log(rest_tolerance), 0.0, 1.0);
+            near = std::max(near, 0.9 * reached);
+            if (!setup_.watch.goes_on("flow", still == 3 ? 1.0 : near)) {
                 result.stopped = cancelled_run;
                 return;
             }
@@ -168,7 +170,7 @@ class Passage {
     D3q19Setup lattice_setup() const {
         const bool exit = stage_ == Stage::exit;
         const double wanted =
-            exit ? lip_ + (setup_.travel + margin_behind) * radius_ : strand_length * radius_;
+            exit ? lip_ + (setup_.travel + margin_behind) * radius_ : strand_length * setup_.nodes;
         const int nx = static_cast<int>(std::ceil(wanted / 16.0)) * 16;
         D3q19Setup setup{.nx = nx,
                          .section = tube(radius_, true),

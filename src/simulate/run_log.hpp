@@ -28,7 +28,12 @@ class RunLog {
     [[nodiscard]] bool cancelled() const {
         return options_.cancel != nullptr && options_.cancel->load(std::memory_order_relaxed);
     }
-    [[noreturn]] void stop(const std::string& reason) const { throw SimulationIncomplete(reason, result); }
+    [[noreturn]] void stop(const std::string& reason) const {
+        SimulationResult partial = result;
+        partial.wall_time = keeper_.elapsed();
+        partial.updates_per_second = updates / partial.wall_time;
+        throw SimulationIncomplete(reason, partial);
+    }
     void stop_if_cancelled() const {
         if (cancelled()) {
             stop("the simulation was cancelled");

@@ -38,6 +38,9 @@ void check(const ShearSceneSetup& setup) {
     if (!positive(setup.fluid_stress) || !positive(setup.shear_modulus) || !positive(setup.shear_rate)) {
         throw UsageError("the shear scene needs a fluid stress, a shear modulus and a shear rate above 0");
     }
+    if (!(setup.alpha >= 0.0 && setup.alpha <= 1.0) || !(setup.reduced_rate >= 0.0)) {
+        throw UsageError("the ink of the shear scene takes an exponent from 0 to 1 and a rate of 0 or more");
+    }
     if (!(setup.nodes >= 2.5 && setup.nodes <= 40.0)) {
         throw UsageError("the shear scene resolves a cell radius by 2.5 to 40 nodes");
     }
@@ -101,8 +104,18 @@ class ShearRun {
         return {.nx = std::max(16, static_cast<int>(std::lround(setup_.box[0] * r / 16.0)) * 16),
                 .section = plates(ny, static_cast<int>(std::lround(0.5 * setup_.box[2] * r)), -plate, plate,
                                   Sides::mirrors),
-                .viscosity = {.nu0 = lu_.nu},
+                .viscosity = ink(),
                 .threads = setup_.threads};
+    }
+
+    /// The ink whose viscosity at the undisturbed rate is `nu`.
+    [[nodiscard]] LatticeViscosity ink() const {
+        if (setup_.reduced_rate == 0.0) {
+            return {.nu0 = lu_.nu};
+        }
+        return {.nu0 = lu_.nu * (1.0 + std::pow(setup_.reduced_rate, setup_.alpha)),
+                .time_constant = setup_.reduced_rate / lu_.rate,
+                .alpha = setup_.alpha};
     }
 
     [[nodiscard]] std::array<double, 3> stretches(const MirrorEllipsoid& e) const {
@@ -136,10 +149,10 @@ class ShearRun {
             result_.elastic[k] = (component(state.stress, now.axis[k], now.axis[k]) - mean) * stress_;
         }
         result_.frequency = tank_treading_frequency(gradient, now) / time_;
-        result_.viscous =
-            lu_.nu *
-            (component(gradient, now.axis[0], now.axis[1]) + component(gradient, now.axis[1], now.axis[0])) *
-            stress_;
+        // Inside, the gradient is nearly uniform, and so is the viscosity.
+        const double shear =
+            component(gradient, now.axis[0], now.axis[1]) + component(gradient, now.axis[1], now.axis[0]);
+        result_.viscous = ink().at(std::abs(shear)) * shear * stress_;
         add({result_.steps * time_, result_.von_mises, result_.stretch, result_.angle});
     }
 

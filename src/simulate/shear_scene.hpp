@@ -11,13 +11,16 @@
 ///
 /// A box of 10 × 15 × 5 cell radii (flow, gradient, vorticity), periodic along the flow and the vorticity, a
 /// Newtonian ink, a neo-Hookean cell of the same viscosity. Half of it is simulated: z = 0 is a mirror plane.
-/// Everything depends on σ_f/μ alone.
+/// Everything depends on σ_f/μ alone. A shear-thinning ink, which no exact theory covers, shows what its thinning
+/// around the cell and its thickening inside do.
 namespace bioprint {
 
 struct ShearSceneSetup {
     double fluid_stress;                         ///< σ_f = η γ̇ of the undisturbed flow [Pa], > 0
     double shear_modulus;                        ///< μ of the cell [Pa], > 0
     double shear_rate;                           ///< γ̇ [1/s], > 0
+    double alpha = 0.0;                          ///< thinning exponent of the ink, in the cell too
+    double reduced_rate = 0.0;                   ///< K γ̇ of the undisturbed ink; 0: Newtonian
     double nodes = 6.0;                          ///< cell radius, in lattice nodes
     std::array<double, 3> box{10.0, 15.0, 5.0};  ///< in cell radii; rounded to whole nodes, the first to 16
     double longest = 30.0;                       ///< γ̇ t at which the run ends in any case

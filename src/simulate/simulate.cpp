@@ -94,10 +94,14 @@ void extrapolate(SimulationResult& fine, const SimulationResult& coarse, double 
 /// A run without a coarser one beside it: relative errors fall with the cell's radius in nodes.
 void assume_errors(SimulationResult& result) {
     const double nodes = result.lattice.nodes_per_cell_radius;
+    // No reference case is drawn out like that: nothing is known of such a value's error.
+    const bool drawn_out =
+        std::any_of(result.warnings.begin(), result.warnings.end(),
+                    [](const SimulationWarning& warning) { return warning.code == "strong-deformation"; });
     for (SimulatedValue& v : result.values) {
         const double relative = result.scene == SceneKind::exit_flow ? draft_flow_error / (nodes * nodes)
                                                                      : draft_cell_error / nodes;
-        v.error = relative * std::abs(v.value);
+        v.error = (drawn_out ? 1.0 : relative) * std::abs(v.value);
     }
 }
 
@@ -184,6 +188,7 @@ SimulationResult simulate(const Scene& scene, const SimulationOptions& options) 
     }
     const NozzleFlow flow = NozzleFlow::from_velocity(scene.ink, scene.nozzle_radius, scene.velocity_average);
     const bool with_cell = scene.kind != SceneKind::exit_flow;
+    if (with_cell) check_softness(scene, flow, options);
     const int wanted = layers_for(options.resolution, options.mesh_spacing);
     const int nodes = nodes_for(scene, wanted, options.mesh_spacing);
     // A narrow nozzle's smallest lattice resolves the cell better than was asked for; the mesh follows.

@@ -362,8 +362,9 @@ double known_error(const Scene& scene, const SimulatedValue& v) {
            known->of_radius * scene.nozzle_radius;
 }
 
-/// Errors fall with the square of the spacing. No value is extrapolated: the cell's mesh and the rounding of the box
-/// make single values swing about that trend.
+/// Errors fall with the square of the spacing, but for a stress in an ink that thins, where only the first order is
+/// safe (channel at α 0.75: 821, 782 and 765 Pa at 3, 6 and 8.5 nodes). No value is extrapolated: the cell's mesh and
+/// the rounding of the box make single values swing about that trend.
 void estimate_errors(SimulationResult& fine, const SimulationResult* coarse, const Scene& scene,
                      double nodes) {
     constexpr double ratio = 2.0;
@@ -375,7 +376,8 @@ void estimate_errors(SimulationResult& fine, const SimulationResult* coarse, con
         }
         for (const SimulatedValue& c : coarse->values) {
             if (c.name == v.name) {
-                v.error = std::max(v.error, std::abs(v.value - c.value) / (ratio * ratio - 1.0));
+                const double gain = v.name.starts_with("von_mises") ? ratio : ratio * ratio;
+                v.error = std::max(v.error, std::abs(v.value - c.value) / (gain - 1.0));
             }
         }
     }

@@ -21,7 +21,7 @@
 // against the finest run there is. Results are merged into one file, question by question, so that a long
 // measurement can be stopped and taken up again.
 //
-//   bench_trade FILE [--kind NAME]… [--rung NAME]… [--missing] [--longest SECONDS]
+//   bench_trade [FILE] [--kind NAME]… [--rung NAME]… [--missing] [--longest SECONDS]
 //
 // --missing keeps what FILE already holds; --longest skips a rung whose next cheaper one took so long that it
 // would pass SECONDS.
@@ -33,7 +33,7 @@ using namespace bioprint::trade;
 using Json = nlohmann::ordered_json;
 
 struct Options {
-    std::string file;
+    std::string file = BIOPRINT_SOURCE_DIR "/data/trade.json";
     std::vector<std::string> kinds, rungs;
     bool missing = false;
     double longest = 1e9;
@@ -90,13 +90,19 @@ Json run_simulation(const Question& question, double resolution) {
     try {
         Comparison comparison;
         const Timing time = timed([&] {
-            comparison = compare_with_simulation(prediction, question.kind->scene,
-                                                 {.resolution = resolution, .threads = 2});
+            comparison = compare_with_simulation(
+                prediction,
+                {.kind = question.kind->scene, .offset = prediction.question.positions.front().value},
+                {.resolution = resolution, .threads = 2});
         });
         const SimulatedValue& judged = comparison.run.at(question.kind->quantity);
         result = {
             {"time", time.wall}, {"cpu", time.cpu}, {"value", judged.value}, {"own_error", judged.error}};
         bool broken = !std::isfinite(judged.value) || judged.value <= 0.0;
+        for (const ComparedValue& value : comparison.values) {
+            if (value.name == question.kind->quantity && value.predicted)
+                result["predicted"] = *value.predicted;
+        }
         for (const auto& warning : comparison.run.warnings) {
             result["warnings"].push_back(warning.code);
             broken =
@@ -140,14 +146,20 @@ void judge(Json& entry) {
                      {"error", rungs[rung.name]["own_error"]},
                      {"rung", rung.name}};
     }
+    if (entry["kind"] == "shear" && rungs.contains("steady")) {  // where theory is exact but for the box
+        reference = {{"value", rungs["steady"]["value"]}, {"error", 0.0}, {"rung", "steady"}};
+    }
     for (auto& [name, result] : rungs.items()) {
         result.erase("error");
         if (reference.is_null() || result["value"].is_null()) continue;
         const double value = reference["value"];
         const bool own = reference["rung"] == name;
-        const double off =
-            own ? reference["error"].get<double>() : std::abs(result["value"].get<double>() - value);
-        result["error"] = off / std::abs(value);
+        double judged = result["value"];
+        // A cell off the axis migrates: the theory is asked where the simulated cell has come to.
+        if (entry["kind"] == "channel-off-axis" && (name == "steady" || name == "ellipsoid"))
+            judged = rungs[reference["rung"].get<std::string>()].value("predicted", judged);
+        result["error"] =
+            (own ? reference["error"].get<double>() : std::abs(judged - value)) / std::abs(value);
     }
     entry["reference"] = reference;
     entry["rungs"] = rungs;
@@ -226,10 +238,6 @@ void measure(const Options& options, Json& data) {
 
 int main(int count, char** arguments) {
     const Options options = parse(count, arguments);
-    if (options.file.empty()) {
-        std::puts("bench_trade FILE [--kind NAME]... [--rung NAME]... [--missing] [--longest SECONDS]");
-        return 2;
-    }
     Json data{{"schema", "bioprint-predict/trade/1"}, {"questions", Json::array()}};
     if (std::ifstream old(options.file); old) data = Json::parse(old);
     describe(data);

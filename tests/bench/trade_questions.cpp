@@ -10,6 +10,9 @@ const std::vector<Kind>& kinds() {
         {"exit-flow", "elongational_stress_average", SceneKind::exit_flow, 0.0},
         {"channel", "von_mises", SceneKind::channel, 0.0},
         {"exit", "von_mises_peak", SceneKind::exit, 0.0},
+        {"channel-off-axis", "von_mises", SceneKind::channel, 3.0},
+        {"exit-off-axis", "von_mises_peak", SceneKind::exit, 3.0},
+        {"shear", "von_mises", SceneKind::shear, 3.0},
     };
     return list;
 }

@@ -1,5 +1,18 @@
-# The trade of speed for accuracy: measured by hand with `tools/bench trade FILE`, hours on two cores.
+# The trade of speed for accuracy is measured by hand, hours on two cores: tools/bench trade data/trade.json.
 bioprint_bench(trade
   SOURCES bench/trade.cpp bench/trade_questions.cpp
   LINKS predict simulate cell flow rheology numerics
   PRIVATE nlohmann_json::nlohmann_json)
+add_custom_target(trade COMMAND bench_trade ${PROJECT_SOURCE_DIR}/data/trade.json --missing
+                  COMMAND ${PROJECT_SOURCE_DIR}/tools/make-trade USES_TERMINAL)
+
+bioprint_tests(ladder SOURCES unit/predict/ladder.cpp LINKS predict)
+bioprint_tests(cli_trade
+  SOURCES cli/command.cpp cli/trade.cpp
+  PRIVATE nlohmann_json::nlohmann_json)
+add_dependencies(test_cli_trade bioprint-predict)
+target_compile_definitions(test_cli_trade PRIVATE BIOPRINT_PROGRAM="$<TARGET_FILE:bioprint-predict>")
+
+# What README, manual and program say of it follows from the measured file.
+add_test(NAME trade-tables COMMAND ${PROJECT_SOURCE_DIR}/tools/make-trade --check)
+set_tests_properties(trade-tables PROPERTIES LABELS unsanitized)

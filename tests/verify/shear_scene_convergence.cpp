@@ -110,3 +110,23 @@ TEST_CASE("shear scene: the stress overshoots at the start as the transient elli
     CHECK(top->von_mises == doctest::Approx(peak).epsilon(0.05));
     CHECK(top->time == doctest::Approx(when).epsilon(0.1));
 }
+
+TEST_CASE(
+    "shear scene: an ink that thins loads the cell less than the ellipsoid in an ink of its local "
+    "viscosity") {
+    // A cell three radii off the axis of the reference nozzle: σ_f 208 Pa, K γ̇ 3.76. At the cell's flanks the rate is
+    // higher than far away and the ink thinner, inside it is lower and the ink thicker. At 6 nodes 729 Pa with the
+    // thinning ink and 857 Pa without, by the theory 862 Pa; at 3 nodes 793 Pa and 914 Pa.
+    ShearSceneSetup setup = scene(0.208, 3.0);
+    const ShearSceneResult newtonian = run_shear_scene(setup);
+    setup.alpha = 0.75;
+    setup.reduced_rate = 3.76;
+    const ShearSceneResult thinning = run_shear_scene(setup);
+    const double less = thinning.von_mises / newtonian.von_mises - 1.0;
+    const double inside = thinning.viscous / newtonian.viscous - 1.0;
+    std::printf("an ink of alpha 0.75: stress %.1f %% less, viscous stress inside %.0f %% more\n",
+                -100 * less, 100 * inside);
+    CHECK(less == doctest::Approx(-0.14).epsilon(0.15));
+    CHECK(inside == doctest::Approx(0.36).epsilon(0.2));
+    CHECK(thinning.stretch[0] < newtonian.stretch[0]);
+}

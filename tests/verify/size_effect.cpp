@@ -120,9 +120,10 @@ TEST_CASE("size effect: every value tends to that on the axis as the offset goes
             CHECK(p.exit.stretch[1] == doctest::Approx(axis.peak.radial_stretch).epsilon(tolerance));
             CHECK(p.exit.stretch[2] == doctest::Approx(axis.peak.radial_stretch).epsilon(tolerance));
             CHECK(std::abs(p.exit.angle) < 0.03);
-            CHECK(std::abs(p.exit.position - axis.peak.position) < 0.01 * radius);
-            // Steep where the stress of the cell peaks.
-            CHECK(p.exit.fluid_stress == doctest::Approx(axis.peak.fluid_stress).epsilon(2e-2));
+            // The top is flat: the tolerance of the stress is one of 0.02 R for its place, over which the ink's stress
+            // changes by 4.5 %.
+            CHECK(std::abs(p.exit.position - axis.peak.position) < 0.02 * radius);
+            CHECK(p.exit.fluid_stress == doctest::Approx(axis.peak.fluid_stress).epsilon(4.5e-2));
             CHECK(p.exit.time == doctest::Approx(axis.peak.time).epsilon(1e-2));
             CHECK(p.exit_exposure == doctest::Approx(axis.end.stress_exposure).epsilon(3e-3));
         }

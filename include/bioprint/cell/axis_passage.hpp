@@ -18,7 +18,8 @@
 ///   the ink; · the part of the flow that is quadratic in position. It deforms the cell as in the nozzle
 ///   (bullet.hpp), with two
 ///     modes of their own relaxation times, (2/3+λ) η/μ and (19/16+λ) η/μ; the von Mises stress is averaged
-///     over the sum of the uniform and the linear stress field;
+///     over the sum of the uniform and the linear stress field. To second order the bent cell is shorter and
+///     wider, by three quarters of what its elasticity alone would do (measured in the simulated channel);
 ///   · the thinning of the ink by the cell's own disturbance (η_b: see thinning_response.hpp) and inside the
 ///   cell,
 ///     whose viscosity is λ times the ink's at the inner rate, as it is when the cell is filled with ink.
@@ -48,6 +49,8 @@ struct AxisEffects {
     bool volume_average = true;
     bool quadratic_flow = true;
     bool disturbed_viscosity = true;
+    double quadratic_share =
+        1.0;  ///< of the quadratic part's load on the cell that its shape can carry, 0 … 1
 };
 
 /// The cell at one place.

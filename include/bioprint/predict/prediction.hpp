@@ -53,7 +53,9 @@ struct CellAnswer {
     std::optional<double> frequency;  ///< of tank treading [1/s]
     std::optional<CellStress> stress;
     std::optional<double> relaxation_time;  ///< in the strand [s]; exit only
-    std::optional<bool> applies = {};       ///< of a steady model: whether its assumptions hold here
+    std::optional<double> error =
+        {};  ///< of the von Mises stress, relative, as measured (ladder.hpp); none: not known
+    std::optional<bool> applies = {};  ///< of a steady model: whether its assumptions hold here
 };
 
 /// The whole way of one cell carried in time, through nozzle and exit into the strand.

@@ -85,6 +85,8 @@ TEST_CASE("simulation in space: what a cancelled channel had reached is in its e
         CHECK(e.result().at("von_mises").value > 100.0);
         CHECK(e.result().series.rows.size() > 2);
         CHECK(e.result().lattice.nodes_per_radius == 19);
+        CHECK(e.result().wall_time > 0.0);
+        CHECK(e.result().at("von_mises").error == 0.0);  // not estimated
     }
 }
 
