@@ -19,7 +19,7 @@ constexpr std::array<LineStyle, 6> styles = {{{"#000000", "solid", 7},
                                               {"#9ad3f5", "solid", 6}}};
 constexpr std::string_view grey = "#8a8a8a";
 constexpr int title_height = 34;
-constexpr std::size_t narrow_key = 20;  ///< bytes of a key entry that leave room for a second column
+constexpr std::size_t narrow_key = 14;  ///< bytes of a key entry that leave room for a second column
 
 /// A gnuplot string that means `text` and nothing else: in single quotes nothing but the quote itself is
 /// special. Control characters and bytes that are no UTF-8 would break an SVG and are left out.
@@ -152,6 +152,12 @@ std::string looks(const Series& series) {
     return "with lines";
 }
 
+/// @param pixels  of the picture in its own size
+double font_size(Canvas canvas, double pixels) {
+    constexpr double points_a_pixel = 0.75;
+    return canvas == Canvas::svg ? pixels : pixels * points_a_pixel;
+}
+
 class PanelScript {
   public:
     PanelScript(const Panel& panel, Canvas canvas)
@@ -220,7 +226,7 @@ class PanelScript {
         std::string out = "set tmargin " + num(margin) + "\n";
         if (!panel_.title.empty()) {
             out += "set label " + quoted(panel_.title) + " at graph 0, graph 1 offset 0," +
-                   num(margin - 1.0) + " left font ',13.5'\n";
+                   num(margin - 1.0) + " left font '," + num(font_size(canvas_, 14.0)) + "'\n";
         }
         if (titles().empty()) return out + "unset key\n";
         return out +
@@ -302,8 +308,9 @@ std::string gnuplot_script(const Picture& picture, Canvas canvas, const CanvasSi
             "set style fill transparent solid 0.12\nset multiplot\n";
         if (!picture.title.empty()) {
             out += "set label 1 " + quoted(picture.title) + " at screen 0.012, screen " +
-                   num(1.0 - 0.55 * title_height / height_of(picture)) +
-                   " left font ',14'\nset origin 0,0\nset size 1,1\nunset border\nunset tics\n"
+                   num(1.0 - 0.55 * title_height / height_of(picture)) + " left font '," +
+                   num(font_size(canvas, 15.0)) +
+                   "'\nset origin 0,0\nset size 1,1\nunset border\nunset tics\n"
                    "unset key\nplot [0:1] [0:1] NaN notitle\nunset label 1\nset border 3\n"
                    "set tics nomirror out scale 0.6\n";
         }

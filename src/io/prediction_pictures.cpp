@@ -22,11 +22,22 @@ Series curve(std::string title, const std::vector<double>& x, const std::vector<
     return {.title = std::move(title), .x = x, .y = y, .style = style};
 }
 
+/// The cells in the nozzle; of one that several models answer for, the first answer, which is the best.
+std::vector<CellAnswer> cells_in_nozzle(const PictureData& data) {
+    std::vector<CellAnswer> cells;
+    for (const CellAnswer& cell : data.prediction.cells) {
+        if (cell.place != Place::nozzle) continue;
+        const bool known = std::any_of(cells.begin(), cells.end(),
+                                       [&](const CellAnswer& other) { return other.offset == cell.offset; });
+        if (!known) cells.push_back(cell);
+    }
+    return cells;
+}
+
 /// Cells where the answer has them, undeformed, in two rows so that neighbours do not hide each other.
 std::vector<Circle> cells_to_scale(const PictureData& data) {
     std::vector<Circle> circles;
-    for (const CellAnswer& cell : data.prediction.cells) {
-        if (cell.place != Place::nozzle) continue;
+    for (const CellAnswer& cell : cells_in_nozzle(data)) {
         const double height = circles.size() % 2 == 0 ? 0.2 : 0.44;
         circles.push_back({.x = cell.offset, .height = height, .radius = data.question.cell.radius});
     }
@@ -48,8 +59,8 @@ Panel velocity_panel(const PictureData& data) {
 Panel stress_panel(const PictureData& data) {
     const RadialProfile& profile = *data.prediction.profile;
     Series cells{.title = "cell (von Mises)", .style = 2, .mark = Mark::points};
-    for (const CellAnswer& cell : data.prediction.cells) {
-        if (cell.place != Place::nozzle || !cell.stress) continue;
+    for (const CellAnswer& cell : cells_in_nozzle(data)) {
+        if (!cell.stress) continue;
         cells.x.push_back(cell.offset);
         cells.y.push_back(cell.stress->von_mises);
     }

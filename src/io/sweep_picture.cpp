@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "bioprint/errors.hpp"
 #include "bioprint/io/number_format.hpp"
@@ -86,12 +87,15 @@ std::string value_label(const Settings& row, Key key) {
     return name + " " + n.number + (n.unit.empty() ? "" : " " + n.unit);
 }
 
-/// The x axis, and which rows make one line.
+/// The x axis, which is the quantity with the most values, and which rows make one line.
 class Lines {
   public:
     explicit Lines(const Sweep& sweep) : sweep_(sweep), key_(sweep.swept().back()) {
+        std::size_t most = 0;
         for (const Key key : sweep.swept()) {
-            if (info_of(key).dimension) key_ = key;
+            if (!info_of(key).dimension || values_of(key) < most) continue;
+            most = values_of(key);
+            key_ = key;
         }
         for (std::size_t i = 0; i < sweep.size(); ++i) add(i);
     }
@@ -126,6 +130,12 @@ class Lines {
     [[nodiscard]] bool has_names() const { return !names_.empty(); }
 
   private:
+    [[nodiscard]] std::size_t values_of(Key key) const {
+        std::set<double> values;
+        for (std::size_t i = 0; i < sweep_.size(); ++i) values.insert(sweep_.row(i).at(key).number);
+        return values.size();
+    }
+
     void add(std::size_t index) {
         const Settings row = sweep_.row(index);
         std::string title;

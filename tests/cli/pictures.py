@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """`--plot`: the pictures are drawn, whole or not at all, the same every time, and can be told apart in grey."""
 import itertools
+import json
 import os
 import re
 import xml.etree.ElementTree as ElementTree
 
-from program import Case, main, need
+from program import Case, ink_named, main, need
 
 need("gnuplot")
 
@@ -101,8 +102,11 @@ class Pictures(Case):
                     spans.append(max(values[x_of::2]) - min(values[x_of::2]))
             self.assertGreater(len(spans), 4)
 
-    def test_a_sweep_draws_the_values_of_get_over_the_list(self):
+    def test_a_sweep_draws_the_values_of_get_over_its_longest_list(self):
         self.call("-q", "--alpha", "0:0.9:0.3", "--velocity", "1mm/s,5mm/s", "--plot", "p.svg")
+        self.assertIn("α, how strongly the ink thins", self.texts())
+        self.assertIn("velocity 5 mm/s", self.texts())
+        self.call("-q", "--alpha", "0:0.9:0.3", "--velocity", "1:9:2mm/s", "--plot", "p.svg")
         self.assertIn("velocity [mm/s]", self.texts())
         self.assertIn("α 0.3", self.texts())
         self.call("-q", "--radius", "50:100:10um", "--get", "nozzle.pressure_gradient", "--plot", "p.svg")
@@ -137,10 +141,7 @@ class Pictures(Case):
 
     def test_text_of_the_users_is_text_and_nothing_else(self):
         name = "x'`touch owned`\\n$(touch owned)\"; system \"touch owned\" <b>&"
-        ink = '{"name": %s, "eta0": 10, "time_constant": 0.05, "alpha": 0.75, "source": "me"}'
-        import json
-
-        self.write("ink.json", ink % json.dumps(name))
+        self.write("ink.json", json.dumps(ink_named(name)))
         file = "a b'; touch owned; `touch owned`.svg"
         self.call("-q", "--ink", "./ink.json", "--plot", file)
         self.assertEqual(self.names(), sorted([file, "ink.json"]))

@@ -20,6 +20,17 @@ def need(*programs):
             sys.exit(SKIPPED)
 
 
+def ink_named(name):
+    """An ink as a user writes one down."""
+    parameters = {"eta0": (10, "Pa.s"), "time_constant": (0.05, "s"), "alpha": (0.75, "1")}
+    return {
+        "name": name,
+        "parameters": {key: {"value": value, "unit": unit} for key, (value, unit) in parameters.items()},
+        "source": "me",
+        "grade": "B",
+    }
+
+
 class Case(unittest.TestCase):
     """Every test in an empty folder of its own."""
 

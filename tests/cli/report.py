@@ -5,7 +5,7 @@ import json
 import re
 import time
 
-from program import Case, main, need
+from program import Case, ink_named, main, need
 
 need("gnuplot")
 
@@ -94,8 +94,7 @@ class Report(Case):
 
     def test_names_of_the_users_are_text(self):
         name = '</pre><script>alert(1)</script><img src=x onerror="alert(2)">&amp;\'" \u202e\x01 ]]>'
-        ink = {"name": name, "source": "<b>me</b>", "eta0": 10, "time_constant": 0.05, "alpha": 0.75}
-        self.write("ink<i>.json", json.dumps(ink))
+        self.write("ink<i>.json", json.dumps({**ink_named(name), "source": "<b>me</b>"}))
         page = self.page("--ink", "./ink<i>.json", name="r & <b>.html")
         self.assertNotIn("script", page.tags)
         self.assertNotIn("img", page.tags)
