@@ -22,14 +22,17 @@ Series curve(std::string title, const std::vector<double>& x, const std::vector<
     return {.title = std::move(title), .x = x, .y = y, .style = style};
 }
 
-/// The cells in the nozzle; of one that several models answer for, the first answer, which is the best.
+/// The cells in the nozzle; of one that was carried in time, not its steady estimate as well.
 std::vector<CellAnswer> cells_in_nozzle(const PictureData& data) {
+    const std::vector<CellAnswer>& all = data.prediction.cells;
     std::vector<CellAnswer> cells;
-    for (const CellAnswer& cell : data.prediction.cells) {
+    for (const CellAnswer& cell : all) {
         if (cell.place != Place::nozzle) continue;
-        const bool known = std::any_of(cells.begin(), cells.end(),
-                                       [&](const CellAnswer& other) { return other.offset == cell.offset; });
-        if (!known) cells.push_back(cell);
+        const bool carried = std::any_of(all.begin(), all.end(), [&](const CellAnswer& other) {
+            return other.place == Place::nozzle && other.model == Model::ellipsoid &&
+                   other.offset == cell.offset;
+        });
+        if (cell.model == Model::ellipsoid || !carried) cells.push_back(cell);
     }
     return cells;
 }
