@@ -314,6 +314,8 @@ std::optional<Arguments> parse_words(int argc, const char* const* argv) {
     collect_ladder(raw.ladder, arguments, problems);
     collect_pictures(raw.pictures, arguments, problems);
     arguments.pictures.call.assign(argv, argv + argc);
+    // Where the program lies is nobody's question.
+    arguments.pictures.call.front() = program_name;
     problems.raise();
     return arguments;
 }

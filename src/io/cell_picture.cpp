@@ -165,7 +165,7 @@ Picture cell_picture(const PictureData& data) {
             .caption =
                 "Nozzle and strand in section with the cells to scale: on the axis in the nozzle, at its "
                 "largest load and in the strand; off the axis tank-treading, alternately above and below. "
-                "Beside it the outlines of the centred cell on top of each other.",
+                "Below it the outlines of the centred cell on top of each other.",
             .rows = {{.panels = {scene_panel(data)}, .height = 380},
                      {.panels = {outline_panel(data)}, .height = 460}}};
 }
