@@ -52,7 +52,10 @@ inline ExitShare exit_share(double logit) {
 
 /// Chebyshev terms in u for each power of s.
 inline constexpr std::array<std::size_t, 4> exit_orders{8, 7, 6, 5};
-inline constexpr std::size_t exit_term_count = 26;
+inline constexpr std::size_t exit_cross_terms = 26;
+/// And for inks that thin less at the wall than a power law: u w and u² w, w = (n_w − n_e)/u up to 0.5.
+inline constexpr std::size_t exit_term_count = exit_cross_terms + 2;
+inline constexpr double exit_recovery_last = 0.5;
 using ExitTerms = std::array<double, exit_term_count>;
 
 /// s² of a kind: 0 for a power law and for what thins less at the wall than one.
@@ -87,6 +90,10 @@ inline ExitTerms exit_terms(const ExitKind& kind) {
         }
         power *= s;
     }
+    const double recovery =
+        u > 1e-9 ? std::clamp((kind.wall_index - kind.index) / u, 0.0, exit_recovery_last) : 0.0;
+    terms[n++] = u * recovery;
+    terms[n] = u * u * recovery;
     return terms;
 }
 

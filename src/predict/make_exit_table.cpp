@@ -49,20 +49,26 @@ ExitTerms terms_of(const SimulatedExit& ink) {
     return exit_terms(exit_kind(ink.excess, ink.wall_index));
 }
 
-std::vector<Line> fit(const std::vector<SimulatedExit>& inks, const Line& newtonian) {
-    const std::size_t n = exit_term_count;
+/// Fits the terms from `first` to `last` to what the others leave, at the chosen inks.
+template <typename Chosen>
+void fit(const std::vector<SimulatedExit>& inks, const Line& newtonian, std::size_t first, std::size_t last,
+         const Chosen& chosen, std::vector<Line>& series) {
+    const std::size_t n = last - first;
     std::vector<Line> a(n, Line(n, 0.0));
     std::vector<Line> b(n, Line(newtonian.size(), 0.0));
     for (const SimulatedExit& ink : inks) {
-        if (ink.held_out || ink.alpha == 0.0) continue;
+        if (!chosen(ink)) continue;
         const ExitTerms t = terms_of(ink);
         for (std::size_t i = 0; i < n; ++i) {
-            for (std::size_t j = 0; j < n; ++j) a[i][j] += t[i] * t[j];
-            for (std::size_t k = 0; k < newtonian.size(); ++k)
-                b[i][k] += t[i] * (ink.nodes[k] - newtonian[k]);
+            for (std::size_t j = 0; j < n; ++j) a[i][j] += t[first + i] * t[first + j];
+            for (std::size_t k = 0; k < newtonian.size(); ++k) {
+                double rest = ink.nodes[k] - newtonian[k];
+                for (std::size_t m = 0; m < first; ++m) rest -= t[m] * series[m][k];
+                b[i][k] += t[first + i] * rest;
+            }
         }
     }
-    return solve(a, b);
+    for (Line& line : solve(a, b)) series.push_back(line);
 }
 
 void report(const std::vector<SimulatedExit>& inks, const Line& x, const Line& newtonian,
@@ -114,7 +120,13 @@ int main(int argc, char** argv) {
         return 4;
     }
     const Line& newtonian = base->nodes;
-    const std::vector<Line> series = fit(inks, newtonian);
+    std::vector<Line> series;
+    fit(
+        inks, newtonian, 0, exit_cross_terms,
+        [](const SimulatedExit& ink) { return !ink.held_out && ink.alpha > 0.0; }, series);
+    fit(
+        inks, newtonian, exit_cross_terms, exit_term_count,
+        [](const SimulatedExit& ink) { return ink.remainder > 0.0; }, series);
     report(inks, x, newtonian, series);
 
     std::printf(

@@ -20,14 +20,18 @@
 /// shear: half of the scene, with a mirror plane through the axis and the cell's centre. The strand keeps the
 /// nozzle's diameter and its surface is free of shear stress (no die swell).
 ///
-/// Each run is made twice, at the resolution asked for and at half of it. What converges with a known order
-/// is extrapolated from the two, and every value carries the numerical error estimated from them. A cell of 3
-/// nodes has no coarser run beside it; its errors are those measured on reference cases.
+/// Each run is made twice, at the resolution asked for and at half of it, and every value carries the numerical
+/// error estimated from the two. On the axis, what converges with a known order is extrapolated; in space nothing
+/// is. A cell of 3 nodes has no coarser run beside it (nor has one of less than 6 in space); its errors are those
+/// measured on reference cases.
 ///
-/// Accuracy (R_c = 6 nodes; tests/verify/simulate_channel.cpp, tests/validate/exit_flow.cpp):
+/// Accuracy (R_c = 6 nodes; tests/verify/simulate_channel.cpp, tests/validate/exit_flow.cpp,
+/// tests/verify/space_simulation.cpp):
 ///   exit flow   peak and average stress 0.1 %, stress on the axis 0.3 % of the peak (finite elements)
 ///   channel     stress of a rigid sphere 0.5 %, its speed 0.01 %
 ///   exit        peak stress 2 %, stretches 1 % (runs at twice the resolution)
+///   shear       every value 1 % (runs at twice the resolution)
+///   in space    stress 5 % in an ink of α 0.75, 2 % in a Newtonian one
 namespace bioprint {
 
 enum class SceneKind { exit_flow, channel, exit, shear };
