@@ -315,7 +315,7 @@ std::optional<Arguments> parse_words(int argc, const char* const* argv) {
     collect_pictures(raw.pictures, arguments, problems);
     arguments.pictures.call.assign(argv, argv + argc);
     // Where the program lies is nobody's question.
-    arguments.pictures.call.front() = program_name;
+    if (argc > 0) arguments.pictures.call.front() = program_name;
     problems.raise();
     return arguments;
 }
