@@ -55,6 +55,7 @@ _bioprint_predict() {
         --model) words='ellipsoid steady' ;;
         --law) words='cross power-law carreau-yasuda herschel-bulkley' ;;
         --simulate) words='auto shear channel exit-flow exit' ;;
+        --plot-kind) words='overview profile exit cell nomogram' ;;
         --fidelity) words='draft standard fine' ;;
         --list) words='inks cells nozzles' ;;
         --needle) words=$(_bioprint_predict_presets "$program" nozzles) ;;
@@ -63,7 +64,7 @@ _bioprint_predict() {
             words=$(_bioprint_predict_presets "$program" inks)
             mapfile -t COMPREPLY < <(compgen -f -- "$current")
             ;;
-        --batch | --history | -o | --output)
+        --batch | --history | --plot | --report | -o | --output)
             compopt -o filenames 2>/dev/null
             mapfile -t COMPREPLY < <(compgen -f -- "$current")
             return
@@ -75,7 +76,7 @@ _bioprint_predict() {
             ;;
         -R | --radius | --diameter | -Q | --flowrate | --velocity | --pressure-gradient | --pressure | --length | \
             --eta0 | --eta-inf | -K | --time-constant | -a | --alpha | --consistency | --flow-index | --yield-stress | --transition | --cell-radius | --shear-modulus | \
-            --poisson-ratio | --viscosity-ratio | --offset | --threshold | --profile | --get | --check | --samples | --limit | --range | --resolution | \
+            --poisson-ratio | --viscosity-ratio | --offset | --threshold | --profile | --get | --check | --samples | --limit | --range | --resolution | --shard | \
             --fluid-stress | --channel-time | --checkpoint-interval | --snapshots | -j | --jobs)
             return # a quantity: nothing to propose
             ;;
@@ -90,6 +91,7 @@ _bioprint_predict() {
                 --cell --cell-radius --shear-modulus --poisson-ratio --viscosity-ratio --offset
                 --model --population --threshold --profile --batch -f --format --json --get --check
                 --uncertainty --samples --history -o --output
+                --plot --plot-kind --report --shard
                 -j --jobs -q --quiet -v --verbose --no-color --list --simulate --fidelity --resolution
                 --fluid-stress --channel-time --tolerance --budget --explain --dry-run --out --resume --checkpoint-interval --snapshots --version -h --help'
             [[ ${COMP_WORDS[1]} == design ]] && words+=' --solve --limit --range'

@@ -10,6 +10,7 @@
 #include "cli/design_options.hpp"
 #include "cli/ladder_options.hpp"
 #include "cli/long_run.hpp"
+#include "cli/picture_options.hpp"
 
 namespace bioprint {
 namespace {
@@ -46,6 +47,7 @@ struct Raw {
     std::string scene;
     std::string population;
     std::optional<std::string> history;
+    RawPictures pictures;
     std::optional<std::string> fidelity;
     std::optional<std::string> resolution;
     std::optional<std::string> fluid_stress;
@@ -111,6 +113,7 @@ void add_answer_options(CLI::App& app, Raw& raw, Arguments& arguments) {
     app.add_option("--history", raw.history, "write the cells' way through nozzle and exit there, as CSV")
         ->type_name("FILE")
         ->group(group);
+    add_picture_options(app, raw.pictures, group);
     app.add_option("--list", raw.list, "show the presets: inks, cells or nozzles")
         ->type_name("KIND")
         ->group(group);
@@ -362,6 +365,10 @@ std::optional<Arguments> parse_words(int argc, const char* const* argv) {
     collect_long_run(raw.long_run, arguments, problems);
     collect_ladder(raw.ladder, arguments, problems);
     if (design->parsed()) collect_design(raw.design, arguments, problems);
+    collect_pictures(raw.pictures, arguments, problems);
+    arguments.pictures.call.assign(argv, argv + argc);
+    // Where the program lies is nobody's question.
+    if (argc > 0) arguments.pictures.call.front() = program_name;
     if (!problems.empty() && !arguments.batch && arguments.sweep.swept().empty()) {
         add_range_problems(arguments.sweep.fixed(), problems);
     }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/design.hpp"
+#include "io/pictures.hpp"
 #include "io/run.hpp"
 #include "io/run_directory.hpp"
 #include "io/settings.hpp"
@@ -32,6 +33,8 @@ struct Arguments {
     std::optional<std::string> output;
     std::optional<std::string> list;
     std::optional<std::string> history;
+    PicturesQuestion pictures;
+    std::optional<Shard> shard;
     std::optional<unsigned> jobs;
     std::optional<SimulationQuestion> simulation;
     std::optional<DesignQuestion> design;  ///< of the subcommand

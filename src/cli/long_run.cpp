@@ -11,10 +11,10 @@ namespace bioprint {
 namespace {
 
 /// How to answer, not what: these may differ when a run goes on.
-constexpr std::array<std::string_view, 12> of_this_call = {
-    "--jobs",    "--quiet",  "--verbose", "--no-color", "--output",
-    "--history", "--list",   "--out",     "--resume",   "--checkpoint-interval",
-    "--help",    "--version"};
+constexpr std::array<std::string_view, 16> of_this_call = {
+    "--jobs",      "--quiet",  "--verbose", "--no-color", "--output", "--history", "--plot",
+    "--plot-kind", "--report", "--shard",   "--list",     "--out",    "--resume",  "--checkpoint-interval",
+    "--help",      "--version"};
 constexpr std::array<std::string_view, 6> of_the_answer = {"--format", "--json",        "--get",
                                                            "--check",  "--uncertainty", "--samples"};
 
@@ -157,6 +157,7 @@ Arguments with_call(Arguments then, const Arguments& now) {
     then.verbose = now.verbose;
     then.no_color = now.no_color;
     then.long_run = now.long_run;
+    then.pictures = now.pictures;
     if (now.format) then.format = now.format;
     if (!now.paths.empty()) then.paths = now.paths;
     if (!now.checks.empty()) then.checks = now.checks;

@@ -23,9 +23,11 @@
 #include "io/dry_run.hpp"
 #include "io/history.hpp"
 #include "io/kept_rows.hpp"
+#include "io/pictures.hpp"
 #include "io/preset_list.hpp"
 #include "io/reference_report.hpp"
 #include "io/whole_file.hpp"
+#include "io/workbook.hpp"
 
 // parse → validate → run → print
 
@@ -65,6 +67,7 @@ RunOptions run_options(const Arguments& arguments) {
             .extras = {.checks = arguments.checks, .uncertainty = arguments.uncertainty},
             .style = {.color = terminal && !colorless, .quiet = arguments.quiet},
             .jobs = arguments.jobs.value_or(std::max(1U, std::thread::hardware_concurrency())),
+            .shard = arguments.shard,
             .interrupted = &interrupted};
 }
 
@@ -122,7 +125,7 @@ RunDirectory directory_of(const Arguments& arguments) {
 }
 
 std::vector<std::string> run_simulation(const Arguments& arguments, const RunOptions& options,
-                                        const Sink& sink) {
+                                        const Sink& sink, Pictures& pictures) {
     std::optional<RunDirectory> directory;
     std::optional<SimulationFiles> files;
     if (arguments.long_run) {
@@ -140,7 +143,10 @@ std::vector<std::string> run_simulation(const Arguments& arguments, const RunOpt
                                        .cancel = &interrupted};
     try {
         return answer_with_simulation(arguments.sweep.fixed(), *arguments.simulation, options, simulation,
-                                      sink, files ? &*files : nullptr);
+                                      sink, files ? &*files : nullptr,
+                                      [&](const Prediction& prediction, const Comparison& comparison) {
+                                          pictures.draw(prediction, comparison, *arguments.simulation);
+                                      });
     } catch (const UsageError&) {
         if (directory) directory->abandon();
         throw;
@@ -157,13 +163,58 @@ void say_how_to_resume(const Arguments& arguments) {
         "' goes on from there");
 }
 
+/// Where the answer goes: as text, or as the rows of a workbook.
+class Output {
+  public:
+    explicit Output(const Arguments& arguments) : file_(arguments.output.value_or("-")) {
+        if (names_workbook(arguments.output.value_or(""))) workbook_.emplace();
+    }
+    void write(std::string_view text) { workbook_ ? workbook_->add(text) : file_.write(text); }
+    void flush() {
+        if (!workbook_) file_.flush();
+    }
+    void commit() {
+        if (workbook_) file_.write(workbook_->bytes());
+        file_.commit();
+    }
+
+  private:
+    WholeFile file_;
+    std::optional<Workbook> workbook_;
+};
+
+int answer_by_simulation(const Arguments& arguments, const RunOptions& options, Output& output,
+                         Pictures& pictures) {
+    RunResult result;
+    result.rows = 1;
+    try {
+        result.failed_checks = run_simulation(
+            arguments, options, [&](std::string_view text) { output.write(text); }, pictures);
+    } catch (const SimulationIncomplete& e) {
+        output.commit();  // the prediction, and what the simulation had
+        pictures.commit();
+        say(e.what());
+        if (interrupted) say_how_to_resume(arguments);
+        return interrupted ? status_interrupted : exit_status_of_current();
+    }
+    output.commit();
+    pictures.commit();
+    return status_of(result, false);
+}
+
 /// A batch or a sweep whose answers stay in a directory.
-int run_kept_rows(const Arguments& arguments, RunOptions options, const Sink& notice) {
+int answer_kept_rows(const Arguments& arguments, RunOptions options, const Sink& notice, Pictures& pictures) {
     if (arguments.output) {
         throw UsageError(
             "--output: the rows are answered in " + arguments.long_run->directory + "; leave out --output",
             "--output");
     }
+    if (arguments.batch && (arguments.pictures.plot || arguments.pictures.report)) {
+        const std::string option = arguments.pictures.plot ? "--plot" : "--report";
+        throw UsageError(option + ": one question or sweep at a time; leave it out, the run is of a batch",
+                         option);
+    }
+    pictures.draw(options);
     RunDirectory directory = directory_of(arguments);
     KeptRows kept(directory, arguments.long_run->interval);
     kept.values = !options.paths.empty();
@@ -191,58 +242,21 @@ int run_kept_rows(const Arguments& arguments, RunOptions options, const Sink& no
         }
         kept.finish(result);
     }
+    pictures.commit();
     notice(std::to_string(result.rows) + " rows answered in " + kept.answers() +
            (result.refused > 0 ? ", " + std::to_string(result.refused) + " of them refused" : ""));
     return result.refused > 0 ? status_some_rows_failed : 0;
 }
 
-int run(Arguments arguments) {
-    WholeFile output(arguments.output.value_or("-"));
+int answer_rows(const Arguments& arguments, const RunOptions& options, const Sink& notice, Output& output,
+                Pictures& pictures) {
     const Sink sink = [&](std::string_view text) { output.write(text); };
-    const Sink notice = [&](std::string_view text) {
-        if (!arguments.quiet) say(text);
-    };
-    if (arguments.list) {
-        sink(preset_list(*arguments.list));
-        output.commit();
-        return 0;
-    }
-    RunOptions options = run_options(arguments);
-    if (arguments.ladder) options.ladder = take_rung(arguments);
-    if (arguments.dry_run) {
-        sink(dry_run({.sweep = arguments.sweep,
-                      .batch = arguments.batch,
-                      .simulation = arguments.simulation,
-                      .ladder = options.ladder,
-                      .jobs = options.jobs}));
-        output.commit();
-        return 0;
-    }
-    if (arguments.history) {
-        WholeFile history(*arguments.history);
-        history.write(history_csv(arguments.sweep.fixed()));
-        history.commit();
-    }
-    if (arguments.simulation) {
-        RunResult result;
-        result.rows = 1;
-        try {
-            result.failed_checks = run_simulation(arguments, options, sink);
-        } catch (const SimulationIncomplete& e) {
-            output.commit();  // the prediction, and what the simulation had
-            say(e.what());
-            if (interrupted) say_how_to_resume(arguments);
-            return interrupted ? status_interrupted : exit_status_of_current();
-        }
-        output.commit();
-        return status_of(result, false);
-    }
-    if (arguments.long_run) return run_kept_rows(arguments, options, notice);
+    if (!arguments.design) pictures.draw(options);
     RunResult result;
     if (arguments.batch) {
         const BatchInput input{.file = *arguments.batch, .defaults = arguments.sweep.fixed()};
         const Sink row_sink = [&](std::string_view text) {
-            output.write(text);
+            sink(text);
             output.flush();
         };
         result = run_batch(input, arguments.format, options, row_sink, notice);
@@ -255,7 +269,40 @@ int run(Arguments arguments) {
     }
     const bool to_file = arguments.output.has_value();
     if (!(result.interrupted && to_file)) output.commit();
+    pictures.commit();
     return status_of(result, to_file);
+}
+
+int run(Arguments arguments) {
+    Output output(arguments);
+    const Sink notice = [&](std::string_view text) {
+        if (!arguments.quiet) say(text);
+    };
+    if (arguments.list) {
+        output.write(preset_list(*arguments.list));
+        output.commit();
+        return 0;
+    }
+    RunOptions options = run_options(arguments);
+    if (arguments.ladder) options.ladder = take_rung(arguments);
+    if (arguments.dry_run) {
+        output.write(dry_run({.sweep = arguments.sweep,
+                              .batch = arguments.batch,
+                              .simulation = arguments.simulation,
+                              .ladder = options.ladder,
+                              .jobs = options.jobs}));
+        output.commit();
+        return 0;
+    }
+    if (arguments.history) {
+        WholeFile history(*arguments.history);
+        history.write(history_csv(arguments.sweep.fixed()));
+        history.commit();
+    }
+    Pictures pictures(arguments.pictures, arguments.sweep, notice);
+    if (arguments.simulation) return answer_by_simulation(arguments, options, output, pictures);
+    if (arguments.long_run) return answer_kept_rows(arguments, options, notice, pictures);
+    return answer_rows(arguments, options, notice, output, pictures);
 }
 
 }  // namespace

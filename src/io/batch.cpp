@@ -42,22 +42,37 @@ bool starts_as_json(std::string_view head) {
     return first != std::string_view::npos && head[first] == '{';
 }
 
-RunResult run_json_lines(ByteSource& source, const Settings& defaults, const RunOptions& options,
+std::size_t count_json_lines(const std::string& file) {
+    const std::unique_ptr<ByteSource> source = open_bytes(file);
+    JsonLinesReader reader(*source);
+    std::size_t count = 0;
+    while (reader.next()) ++count;
+    return count;
+}
+
+RunResult run_json_lines(ByteSource& source, const BatchInput& input, const RunOptions& options,
                          const Sink& sink) {
+    const Settings& defaults = input.defaults;
+    const Shard whole{.piece = 1, .pieces = 1};
+    const RowRange share = rows_of(options.shard.value_or(whole),
+                                   options.shard ? count_json_lines(input.file) : ~std::size_t{0});
     JsonLinesReader reader(source);
+    for (std::size_t i = 0; i < share.begin && reader.next(); ++i) {
+    }
     const RowWriter writer(options, 3 * cell_entries(defaults), defaults.has(Key::population),
                            3 * passage_entries(defaults));
     RunResult result = options.start;
     result.format = options.format;
     for (std::size_t passed = 0; passed < result.read && reader.next(); ++passed) continue;
     CheckTally tally(options.extras.checks);
-    if (result.read == 0) sink(writer.head());
+    if (writes_head(options, result)) sink(writer.head());
     std::vector<JsonLine> lines;
     std::vector<RowText> texts;
-    bool more = true;
+    bool more = share.begin < share.end;
     while (more && !result.interrupted) {
         lines.clear();
-        while (lines.size() < chunk_rows && (lines.empty() || reader.has_buffered_line())) {
+        const std::size_t room = std::min(chunk_rows, share.end - share.begin - result.rows);
+        while (lines.size() < room && (lines.empty() || reader.has_buffered_line())) {
             more = reader.next();
             if (!more) break;
             lines.push_back(std::move(reader.line()));
@@ -76,6 +91,7 @@ RunResult run_json_lines(ByteSource& source, const Settings& defaults, const Run
             tally.add(text.extras.checks);
         }
         result.read += lines.size();
+        more = more && result.rows < share.end - share.begin;
         result.interrupted = options.interrupted && *options.interrupted;
         if (options.keep) options.keep(result);
     }
@@ -88,6 +104,7 @@ RunResult run_json_lines(ByteSource& source, const Settings& defaults, const Run
 
 RunResult run_batch(const BatchInput& input, std::optional<Format> format, const RunOptions& options,
                     const Sink& sink, const Sink& notice) {
+    if (options.shard) require_countable(input.file);
     const std::unique_ptr<ByteSource> source = open_bytes(input.file);
     Peeked peeked(*source);
     RunOptions chosen = options;
@@ -96,7 +113,7 @@ RunResult run_batch(const BatchInput& input, std::optional<Format> format, const
     }
     if (starts_as_json(peeked.head())) {
         chosen.format = format.value_or(Format::jsonl);
-        return run_json_lines(peeked, input.defaults, chosen, sink);
+        return run_json_lines(peeked, input, chosen, sink);
     }
     chosen.format = format.value_or(Format::csv);
     return run_csv_batch(peeked, input, chosen, sink, notice);

@@ -130,6 +130,7 @@ class CsvBatch {
 
     RunResult run(const Sink& sink, const Sink& notice) {
         remark_on_columns(notice);
+        if (options_.shard) share_ = rows_of(*options_.shard, count_records(input_.file));
         bool more = read_chunk();
         const std::size_t cells = entries();
         columns_.emplace(cells, layout_.asks(Key::population) || input_.defaults.has(Key::population),
@@ -137,9 +138,10 @@ class CsvBatch {
         RunResult result = options_.start;
         result.format = options_.format;
         CheckTally tally(options_.extras.checks);
-        if (result.read == 0) sink(head());
+        if (writes_head(options_, result)) sink(head());
         std::size_t passed = 0;  // rows that an earlier part of this run has answered
-        while (!rows_.empty() && !result.interrupted) {
+        while ((more || !rows_.empty()) && !result.interrupted) {
+            more = keep_share() && more;
             const std::size_t known = std::min(rows_.size(), options_.start.read - passed);
             passed += known;
             rows_.erase(rows_.begin(), rows_.begin() + static_cast<std::ptrdiff_t>(known));
@@ -209,6 +211,28 @@ class CsvBatch {
         const std::string& end = reader_.header_line_end();
         writer.end_row(end.empty() ? reader_.dialect().line_end : end);
         return reader_.preamble() + writer.text();
+    }
+
+    static std::size_t count_records(const std::string& file) {
+        const std::unique_ptr<ByteSource> source = open_bytes(file);
+        CsvReader reader(*source, file);
+        std::size_t count = 0;
+        while (reader.next()) ++count;
+        return count;
+    }
+
+    /// Drops the rows of other pieces; false when this piece's are all read. The first chunk is read by every
+    /// piece, because it decides the columns.
+    bool keep_share() {
+        if (!share_) return true;
+        const std::size_t first = rows_read_;
+        rows_read_ += rows_.size();
+        const auto place = [&](std::size_t row) { return std::clamp(row, first, rows_read_) - first; };
+        const auto end = rows_.begin() + static_cast<std::ptrdiff_t>(place(share_->end));
+        rows_.erase(end, rows_.end());
+        rows_.erase(rows_.begin(), rows_.begin() + static_cast<std::ptrdiff_t>(
+                                                       std::min(place(share_->begin), rows_.size())));
+        return rows_read_ < share_->end;
     }
 
     /// Reads the next rows; false at the end of the file.
@@ -323,6 +347,8 @@ class CsvBatch {
     const RunOptions& options_;
     std::optional<CsvColumns> columns_;
     std::vector<Row> rows_;
+    std::optional<RowRange> share_;  ///< of `--shard`
+    std::size_t rows_read_ = 0;      ///< counted with a share only
 };
 
 }  // namespace

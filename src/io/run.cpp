@@ -119,6 +119,10 @@ void write_table(const Sweep& sweep, const RunOptions& options, const Sink& sink
 
 }  // namespace
 
+bool writes_head(const RunOptions& options, const RunResult& so_far) {
+    return so_far.read == 0 && (!options.shard || options.shard->piece == 1);
+}
+
 RunResult run_sweep(const Sweep& sweep, const RunOptions& options, const Sink& sink, const Sink& notice) {
     RunResult result;
     CheckTally tally(options.extras.checks);
@@ -149,10 +153,10 @@ RunResult run_sweep(const Sweep& sweep, const RunOptions& options, const Sink& s
                      passage_entries(sweep.fixed()));
     result = options.start;
     result.format = options.format;
-    if (result.read == 0) sink(writer.head());
-    const std::size_t total = sweep.size();
-    for (std::size_t begin = result.read; begin < total; begin += chunk_rows) {
-        const std::size_t count = std::min(chunk_rows, total - begin);
+    if (writes_head(options, result)) sink(writer.head());
+    const RowRange rows = rows_of(options.shard.value_or(Shard{.piece = 1, .pieces = 1}), sweep.size());
+    for (std::size_t begin = rows.begin + result.read; begin < rows.end; begin += chunk_rows) {
+        const std::size_t count = std::min(chunk_rows, rows.end - begin);
         std::vector<RowText> texts(count);
         for_each_index(count, options.jobs, [&](std::size_t i) {
             texts[i] = writer.answer([&] { return sweep.row(begin + i); });

@@ -11,6 +11,7 @@
 #include "io/extras.hpp"
 #include "io/ladder_answer.hpp"
 #include "io/settings.hpp"
+#include "io/shard.hpp"
 #include "io/sweep.hpp"
 #include "io/table.hpp"
 
@@ -34,15 +35,19 @@ struct RunResult {
 struct RunOptions {
     Format format = Format::table;
     std::vector<std::string> paths;  ///< of `--get`: print these values alone
-    Extras extras;
-    TableStyle style;
+    Extras extras = {};
+    TableStyle style = {};
     std::optional<LadderAnswer> ladder = {};  ///< which model answers, and why
     unsigned jobs = 1;
+    std::optional<Shard> shard = {};  ///< answer this piece alone; the head stands in the first
     const std::atomic<bool>* interrupted = nullptr;  ///< set by Ctrl-C; what was finished is kept
     RunResult start =
         {};  ///< where many rows go on: those read are passed over, and their answers stand already
     std::function<void(const RunResult&)> keep = {};  ///< called now and then between two rows
 };
+
+/// Whether the head of the rows is still to be written: neither an earlier part of this run nor another piece has.
+bool writes_head(const RunOptions& options, const RunResult& so_far);
 
 /// Answers a question or a sweep. `notice` gets the warnings of a single question asked with `--get`.
 RunResult run_sweep(const Sweep& sweep, const RunOptions& options, const Sink& sink, const Sink& notice);

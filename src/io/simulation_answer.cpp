@@ -11,6 +11,7 @@
 #include "io/answer_path.hpp"
 #include "io/ladder_answer.hpp"
 #include "io/row_answer.hpp"
+#include "io/simulated_answer.hpp"
 #include "io/table.hpp"
 
 namespace bioprint {
@@ -224,23 +225,11 @@ std::string simulation_table(const Comparison& comparison, const SimulationQuest
     return text;
 }
 
-Json simulated_answer(const Prediction& prediction, const Comparison& comparison,
-                      const SimulationQuestion& question) {
-    Json answer = answer_object(prediction);
-    answer["simulation"] = simulation_object(comparison, question);
-    for (const SimulationWarning& warning : comparison.run.warnings) {
-        std::string code = warning.code;
-        std::replace(code.begin(), code.end(), '-', '_');
-        answer["warnings"].push_back({{"code", code}, {"message", warning.message}});
-    }
-    return answer;
-}
-
 /// Returns a line for each check that does not hold.
 std::vector<std::string> write(const Prediction& prediction, const Comparison& comparison,
                                const SimulationQuestion& question, const Settings& settings,
                                const RunOptions& options, const Sink& sink) {
-    Json answer = simulated_answer(prediction, comparison, question);
+    Json answer = simulated_answer_object(prediction, comparison, question);
     if (options.ladder) answer["choice"] = ladder_object(*options.ladder);
     const ExtraResults results = add_extras(answer, settings, options.extras, options.jobs, true);
     if (!options.paths.empty()) {
@@ -249,7 +238,8 @@ std::vector<std::string> write(const Prediction& prediction, const Comparison& c
         }
     } else if (options.format == Format::table) {
         sink(answer_table(prediction, options.style) + simulation_table(comparison, question, options.style) +
-             extras_sections(answer, options.extras, results, options.style));
+             extras_sections(answer, options.extras, results, options.style) +
+             (options.ladder ? ladder_section(*options.ladder, options.style) : ""));
     } else {
         sink(json_text(answer, options.format == Format::json ? 2 : -1) + "\n");
     }
@@ -336,6 +326,23 @@ std::optional<double> pick_position(const std::vector<CellPosition>& positions, 
 
 }  // namespace
 
+SimulatedName simulated_name(std::string_view name) {
+    const ValueName& value = label_of(name);
+    return {.label = value.label, .dimension = value.dimension};
+}
+
+Json simulated_answer_object(const Prediction& prediction, const Comparison& comparison,
+                             const SimulationQuestion& question) {
+    Json answer = answer_object(prediction);
+    answer["simulation"] = simulation_object(comparison, question);
+    for (const SimulationWarning& warning : comparison.run.warnings) {
+        std::string code = warning.code;
+        std::replace(code.begin(), code.end(), '-', '_');
+        answer["warnings"].push_back({{"code", code}, {"message", warning.message}});
+    }
+    return answer;
+}
+
 ChosenScene choose_scene(const SimulationQuestion& question, const Prediction& prediction) {
     if (!is_scene(question.scene)) {
         throw UsageError(
@@ -389,9 +396,10 @@ double resolution_of(const SimulationQuestion& question) {
     return 6.0;
 }
 
-std::vector<std::string> answer_with_simulation(const Settings& settings, const SimulationQuestion& question,
-                                                const RunOptions& options, SimulationOptions simulation,
-                                                const Sink& sink, SimulationFiles* files) {
+std::vector<std::string> answer_with_simulation(
+    const Settings& settings, const SimulationQuestion& question, const RunOptions& options,
+    SimulationOptions simulation, const Sink& sink, SimulationFiles* files,
+    const std::function<void(const Prediction&, const Comparison&)>& seen) {
     if (options.format == Format::csv) {
         throw UsageError("--format: a simulation is answered as table, json or jsonl", "--format");
     }
@@ -421,9 +429,11 @@ std::vector<std::string> answer_with_simulation(const Settings& settings, const 
         if (!failure.empty()) throw SimulationIncomplete(failure, comparison.run);
         if (files != nullptr) {
             files->write_series(comparison.run.series);
-            files->write_answer(json_text(simulated_answer(prediction, comparison, question), 2) + "\n");
+            files->write_answer(json_text(simulated_answer_object(prediction, comparison, question), 2) +
+                                "\n");
         }
         failed = write(prediction, comparison, question, settings, options, sink);
+        if (seen) seen(prediction, comparison);
         short_of = beyond_tolerance(comparison.run, question);
     } catch (const SimulationIncomplete& e) {
         if (files != nullptr) files->write_series(e.result().series);

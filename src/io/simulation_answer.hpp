@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -38,9 +39,11 @@ double resolution_of(const SimulationQuestion& question);
 /// Predicts, simulates and writes the answer. What an interrupted run had is written before its error goes
 /// on. `files`, where there are any, keep the run's state, its series and its answer. Returns a line for each
 /// check that does not hold.
+/// @param seen  gets prediction and comparison once the answer is written, for a picture or report
 /// @throws SimulationIncomplete  and what predict() and simulate() throw
-std::vector<std::string> answer_with_simulation(const Settings& settings, const SimulationQuestion& question,
-                                                const RunOptions& options, SimulationOptions simulation,
-                                                const Sink& sink, SimulationFiles* files = nullptr);
+std::vector<std::string> answer_with_simulation(
+    const Settings& settings, const SimulationQuestion& question, const RunOptions& options,
+    SimulationOptions simulation, const Sink& sink, SimulationFiles* files = nullptr,
+    const std::function<void(const Prediction&, const Comparison&)>& seen = {});
 
 }  // namespace bioprint

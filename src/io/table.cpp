@@ -274,7 +274,8 @@ std::string notes_section(const std::vector<Warning>& warnings, TableStyle style
     return out;
 }
 
-/// The largest stress in the nozzle, on the way where the cells were carried.
+}  // namespace
+
 double nozzle_stress(const Prediction& prediction) {
     double largest = 0.0;
     for (const PassageAnswer& passage : prediction.passages) largest = std::max(largest, passage.nozzle_peak);
@@ -285,8 +286,6 @@ double nozzle_stress(const Prediction& prediction) {
     return largest;
 }
 
-/// The stress at the exit of the cell nearest to the axis by the better model: carried in time where that was
-/// asked for, else steady. Further out a cell's stress at the exit is mostly what the nozzle left in it.
 std::optional<double> exit_stress(const Prediction& prediction) {
     const CellAnswer* best = nullptr;
     for (const CellAnswer& cell : prediction.cells) {
@@ -299,8 +298,6 @@ std::optional<double> exit_stress(const Prediction& prediction) {
     if (best == nullptr || !best->stress) return std::nullopt;
     return best->stress->von_mises;
 }
-
-}  // namespace
 
 std::string table_heading(std::string_view text, TableStyle style) {
     return heading(text, style);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,6 +22,12 @@ std::string table_heading(std::string_view text, TableStyle style);
 std::string table_grid(const std::vector<std::vector<std::string>>& rows, std::size_t left);
 /// `text` broken at spaces into lines of at most 80 columns, all but the first indented.
 std::string table_wrapped(std::string_view text, std::size_t indent);
+
+/// The largest stress of a cell in the nozzle, on the way where the cells were carried [Pa].
+double nozzle_stress(const Prediction& prediction);
+/// The stress at the exit of the cell nearest to the axis by the better model: carried in time where that was
+/// asked for, else steady [Pa]. Further out a cell's stress at the exit is mostly what the nozzle left in it.
+std::optional<double> exit_stress(const Prediction& prediction);
 
 std::string answer_table(const Prediction& prediction, TableStyle style);
 

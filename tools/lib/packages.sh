@@ -24,6 +24,10 @@ test_packages=(
     python3-meshio     # reads ParaView files
     clang-format clang-tidy
     git jq man-db mandoc python3 shellcheck
+    gnuplot-nox        # draws the pictures
+    libxlsxwriter-dev  # Excel workbooks; optional when building
+    python3-openpyxl   # reads them back
+    parallel           # examples of the manual
 )
 
 # To hunt for crashes with libFuzzer (not part of the test command).

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/picture.hpp"
+#include "io/plot.hpp"
+#include "io/run.hpp"
+#include "io/simulation_answer.hpp"
+#include "io/whole_file.hpp"
+
+/// `--plot` and `--report`: made when their data are known, put in their places after the answer.
+namespace bioprint {
+
+struct PicturesQuestion {
+    std::optional<PlotQuestion> plot;
+    std::optional<std::string> report;  ///< a file
+    std::vector<std::string> call;      ///< the words of the command line, for the report
+};
+
+class Pictures {
+  public:
+    /// Finds out before anything is computed whether they can be made and written.
+    /// @param sweep  the question, or several; must outlive this
+    /// @throws DataError   no gnuplot for a plot, or a place that cannot be written
+    /// @throws UsageError  more rows than a report holds
+    Pictures(PicturesQuestion question, const Sweep& sweep, const Sink& notice);
+
+    /// Makes what was asked for of the question or sweep.
+    void draw(const RunOptions& options);
+    /// The same of a question with its simulation.
+    void draw(const Prediction& prediction, const Comparison& comparison,
+              const SimulationQuestion& simulation);
+    /// Writes them.
+    void commit();
+
+  private:
+    [[nodiscard]] bool nothing_asked() const { return !question_.plot && !question_.report; }
+    void plot(const Picture& picture);
+
+    PicturesQuestion question_;
+    const Sweep& sweep_;
+    bool can_draw_ = true;
+    std::optional<WholeFile> plot_file_;
+    std::optional<WholeFile> report_file_;
+    std::string plot_;
+    std::string report_;
+};
+
+}  // namespace bioprint

@@ -1,0 +1,213 @@
+#include "io/prediction_pictures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "bioprint/errors.hpp"
+#include "bioprint/io/number_format.hpp"
+#include "io/exit_history.hpp"
+
+namespace bioprint {
+namespace {
+
+constexpr int profile_points = 121;
+
+std::string lab(double value, Dimension dimension, int digits = 3) {
+    const LabNumber n = format_lab(value, dimension, digits);
+    return n.unit.empty() ? n.number : n.number + " " + n.unit;
+}
+
+Series curve(std::string title, const std::vector<double>& x, const std::vector<double>& y, int style) {
+    return {.title = std::move(title), .x = x, .y = y, .style = style};
+}
+
+/// The cells in the nozzle; of one that was carried in time, not its steady estimate as well.
+std::vector<CellAnswer> cells_in_nozzle(const PictureData& data) {
+    const std::vector<CellAnswer>& all = data.prediction.cells;
+    std::vector<CellAnswer> cells;
+    for (const CellAnswer& cell : all) {
+        if (cell.place != Place::nozzle) continue;
+        const bool carried = std::any_of(all.begin(), all.end(), [&](const CellAnswer& other) {
+            return other.place == Place::nozzle && other.model == Model::ellipsoid &&
+                   other.offset == cell.offset;
+        });
+        if (cell.model == Model::ellipsoid || !carried) cells.push_back(cell);
+    }
+    return cells;
+}
+
+/// Cells where the answer has them, undeformed, in two rows so that neighbours do not hide each other.
+std::vector<Circle> cells_to_scale(const PictureData& data) {
+    std::vector<Circle> circles;
+    for (const CellAnswer& cell : cells_in_nozzle(data)) {
+        const double height = circles.size() % 2 == 0 ? 0.2 : 0.44;
+        circles.push_back({.x = cell.offset, .height = height, .radius = data.question.cell.radius});
+    }
+    return circles;
+}
+
+Panel velocity_panel(const PictureData& data) {
+    const RadialProfile& profile = *data.prediction.profile;
+    return {.title = "Velocity, and the cells to scale",
+            .x = {.title = "distance from the axis",
+                  .dimension = Dimension::length,
+                  .min = 0.0,
+                  .max = data.question.radius},
+            .y = {.title = "velocity", .dimension = Dimension::velocity},
+            .series = {curve("", profile.r, profile.velocity, 0)},
+            .circles = cells_to_scale(data)};
+}
+
+Panel stress_panel(const PictureData& data) {
+    const RadialProfile& profile = *data.prediction.profile;
+    Series cells{.title = "cell (von Mises)", .style = 2, .mark = Mark::points};
+    for (const CellAnswer& cell : cells_in_nozzle(data)) {
+        if (!cell.stress) continue;
+        cells.x.push_back(cell.offset);
+        cells.y.push_back(cell.stress->von_mises);
+    }
+    return {.title = "Stress in the nozzle",
+            .x = {.title = "distance from the axis",
+                  .dimension = Dimension::length,
+                  .min = 0.0,
+                  .max = data.question.radius},
+            .y = {.title = "stress", .dimension = Dimension::pressure},
+            .series = {curve("ink (shear stress)", profile.r, profile.stress, 0), std::move(cells)}};
+}
+
+/// The part of the axis a picture of the exit shows, in radii from the lip.
+constexpr double shown_before = -2.0;
+constexpr double shown_behind = 5.0;
+
+std::vector<AxisCellState> shown_history(const PictureData& data) {
+    std::vector<AxisCellState> shown;
+    for (const AxisCellState& state : data.history) {
+        const double x = state.position / data.question.radius;
+        if (x >= shown_before && x <= shown_behind) shown.push_back(state);
+    }
+    return shown;
+}
+
+template <class Member>
+std::vector<double> column(const std::vector<AxisCellState>& states, Member member) {
+    std::vector<double> values;
+    for (const AxisCellState& state : states) values.push_back(state.*member);
+    return values;
+}
+
+const CellAnswer* steady_exit(const Prediction& prediction) {
+    for (const CellAnswer& cell : prediction.cells) {
+        if (cell.place == Place::exit && cell.model == Model::roscoe_elongation) return &cell;
+    }
+    return nullptr;
+}
+
+Axis exit_axis(const PictureData& data) {
+    return {.title = "place on the axis, from the nozzle's end",
+            .dimension = Dimension::length,
+            .min = shown_before * data.question.radius,
+            .max = shown_behind * data.question.radius};
+}
+
+Panel exit_stress_panel(const PictureData& data) {
+    const std::vector<AxisCellState> shown = shown_history(data);
+    const std::vector<double> x = column(shown, &AxisCellState::position);
+    const double radius = data.question.radius;
+    Panel panel{.title = "Stress through the exit",
+                .x = exit_axis(data),
+                .y = {.title = "stress", .dimension = Dimension::pressure},
+                .series = {curve("cell, carried in time", x, column(shown, &AxisCellState::von_mises), 0),
+                           curve("ink on the axis", x, column(shown, &AxisCellState::fluid_stress), 1)},
+                .verticals = {0.0}};
+    // The steady estimate spreads the elongation over two radii around the end of the nozzle.
+    const std::vector<double> span = {-radius, radius};
+    if (const CellAnswer* const steady = steady_exit(data.prediction); steady != nullptr && steady->stress) {
+        panel.series.push_back(
+            curve("cell, steady estimate", span, {steady->stress->von_mises, steady->stress->von_mises}, 2));
+    }
+    const double ink = data.prediction.exit.elongational_stress;
+    panel.series.push_back(curve("ink, steady estimate", span, {ink, ink}, 3));
+    return panel;
+}
+
+Panel exit_stretch_panel(const PictureData& data) {
+    const std::vector<AxisCellState> shown = shown_history(data);
+    const std::vector<double> x = column(shown, &AxisCellState::position);
+    const std::vector<double> axial = column(shown, &AxisCellState::axial_stretch);
+    const double least = *std::min_element(axial.begin(), axial.end());
+    return {.title = "Stretch of the cell",
+            .x = exit_axis(data),
+            .y = {.title = "length over length at rest", .min = std::floor(least * 5.0) / 5.0},
+            .series = {curve("along the axis (α1)", x, axial, 0),
+                       curve("across (α2, α3)", x, column(shown, &AxisCellState::radial_stretch), 1)},
+            .verticals = {0.0}};
+}
+
+}  // namespace
+
+PictureData picture_data(Case question) {
+    question.profile_points = profile_points;
+    Prediction prediction = predict(question);
+    if (prediction.nozzle.velocity_average <= 0.0) {
+        throw UsageError("--plot: nothing flows; give a flow rate, velocity or pressure", "--plot");
+    }
+    std::vector<AxisCellState> history = exit_history(question, prediction);
+    return {
+        .question = std::move(question), .prediction = std::move(prediction), .history = std::move(history)};
+}
+
+std::string picture_title(const PictureData& data) {
+    const Case& question = data.question;
+    const std::string radius = "R " + lab(question.radius, Dimension::length);
+    const std::string nozzle = question.needle ? question.needle->name + " (" + radius + ")" : radius;
+    return nozzle + ", " + lab(data.prediction.nozzle.flow_rate, Dimension::volume_flow) + ", ink " +
+           question.ink.name + ", cell " + question.cell.name;
+}
+
+Picture profile_picture(const PictureData& data) {
+    const RadialProfile& profile = *data.prediction.profile;
+    const auto small = [&](const char* title, const char* name, Dimension dimension,
+                           const std::vector<double>& values) {
+        return Panel{.title = title,
+                     .x = {.title = "distance from the axis",
+                           .dimension = Dimension::length,
+                           .min = 0.0,
+                           .max = data.question.radius},
+                     .y = {.title = name, .dimension = dimension},
+                     .series = {curve("", profile.r, values, 0)}};
+    };
+    return {.name = "profile",
+            .title = picture_title(data),
+            .caption =
+                "Velocity, stress, shear rate and viscosity of the ink from the axis to the wall of the "
+                "nozzle; the circles are the cells, undeformed and to scale with the axis below them.",
+            .rows = {{.panels = {velocity_panel(data), stress_panel(data)}},
+                     {.panels = {small("Shear rate", "shear rate", Dimension::rate, profile.shear_rate),
+                                 small("Viscosity", "viscosity", Dimension::viscosity, profile.viscosity)}}}};
+}
+
+Picture exit_picture(const PictureData& data) {
+    return {.name = "exit",
+            .title = picture_title(data),
+            .caption =
+                "The centred cell on its way through the end of the nozzle (thin line): its stress and "
+                "stretch, carried in time, the stress of the ink on the axis, and the steady estimates "
+                "over the two radii on which they rest.",
+            .rows = {{.panels = {exit_stress_panel(data), exit_stretch_panel(data)}, .height = 420}}};
+}
+
+Picture overview_picture(const PictureData& data, unsigned jobs) {
+    Picture cells = cell_picture(data);
+    Picture nomogram = nomogram_picture(data, jobs);
+    return {.name = "overview",
+            .title = picture_title(data),
+            .caption =
+                "Top: nozzle, strand and cells to scale. Middle: stress in the nozzle over the radius, and "
+                "through the exit along the axis. Bottom: the same ink and cell in other needles.",
+            .rows = {std::move(cells.rows.front()),
+                     {.panels = {stress_panel(data), exit_stress_panel(data)}, .height = 380},
+                     std::move(nomogram.rows.front())}};
+}
+
+}  // namespace bioprint

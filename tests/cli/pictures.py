@@ -1,0 +1,185 @@
+#!/usr/bin/env python3
+"""`--plot`: the pictures are drawn, whole or not at all, the same every time, and can be told apart in grey."""
+import itertools
+import json
+import os
+import re
+import xml.etree.ElementTree as ElementTree
+
+from program import Case, ink_named, main, need
+
+need("gnuplot")
+
+KINDS = ("overview", "profile", "exit", "cell", "nomogram")
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+def channels(colour):
+    """Red, green and blue as amounts of light."""
+    shares = [int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5)]
+    return [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in shares]
+
+
+def lightness(light):
+    y = 0.2126 * light[0] + 0.7152 * light[1] + 0.0722 * light[2]
+    return 116 * y ** (1 / 3) - 16 if y > 0.008856 else 903.3 * y
+
+
+# Machado, Oliveira, Fernandes (2009), severity 1: what is left of a colour.
+BLINDNESS = {
+    "protanopia": ((0.152286, 1.052583, -0.204868), (0.114503, 0.786281, 0.099216), (-0.003882, -0.048116, 1.051998)),
+    "deuteranopia": ((0.367322, 0.860646, -0.227968), (0.280085, 0.672501, 0.047413), (-0.011820, 0.042940, 0.968881)),
+    "tritanopia": ((1.255528, -0.076749, -0.178779), (-0.078411, 0.930809, 0.147602), (0.004733, 0.691367, 0.303900)),
+}
+
+
+def lab(light):
+    """CIE L*a*b*, D65."""
+    r, g, b = (min(max(c, 0.0), 1.0) for c in light)
+    xyz = (
+        (0.4124 * r + 0.3576 * g + 0.1805 * b) / 0.95047,
+        0.2126 * r + 0.7152 * g + 0.0722 * b,
+        (0.0193 * r + 0.1192 * g + 0.9505 * b) / 1.08883,
+    )
+    f = [v ** (1 / 3) if v > 0.008856 else 7.787 * v + 16 / 116 for v in xyz]
+    return 116 * f[1] - 16, 500 * (f[0] - f[1]), 200 * (f[1] - f[2])
+
+
+def distance(a, b):
+    return sum((p - q) ** 2 for p, q in zip(lab(a), lab(b))) ** 0.5
+
+
+class Pictures(Case):
+    def svg(self, name="p.svg"):
+        return ElementTree.fromstring(self.read(name))
+
+    def texts(self, name="p.svg"):
+        return ["".join(t.itertext()) for t in self.svg(name).iter(SVG + "text")]
+
+    def test_every_kind_is_an_svg_with_curves_and_without_nan(self):
+        for kind in KINDS:
+            self.call("-q", "--plot", "p.svg", "--plot-kind", kind)
+            paths = [p for p in self.svg().iter(SVG + "path") if p.get("d")]
+            self.assertGreater(len(paths), 10, kind)
+            self.assertNotRegex(self.read("p.svg").decode().lower(), r"\bnan\b|\binf\b", kind)
+
+    def test_the_same_question_gives_the_same_bytes(self):
+        self.call("-q", "--plot", "a.svg")
+        self.call("-q", "--plot", "b.svg", "-j", "1", env={"LC_ALL": "de_DE.UTF-8", "GNUTERM": "dumb", "HOME": "/"})
+        self.assertEqual(self.read("a.svg"), self.read("b.svg"))
+
+    def test_png_and_pdf_are_what_they_say(self):
+        self.call("-q", "--plot", "p.png", "--plot-kind", "exit")
+        self.assertEqual(self.read("p.png")[:8], b"\x89PNG\r\n\x1a\n")
+        self.call("-q", "--plot", "P.PDF", "--plot-kind", "exit")
+        self.assertEqual(self.read("P.PDF")[:5], b"%PDF-")
+        self.assertIn(b"%%EOF", self.read("P.PDF")[-32:])
+
+    def test_the_terminal_shows_a_picture_of_its_width(self):
+        text = self.call("-q", "--plot", "-")
+        self.assertIn("Stress through the exit", text)
+        picture = text[text.index("Stress through the exit") :]
+        self.assertLessEqual(max(len(line) for line in picture.splitlines()), 80)
+        self.assertIn("*", picture)
+
+    def test_the_answer_is_printed_as_without_a_picture(self):
+        self.assertEqual(self.call("--json"), self.call("--json", "--plot", "p.svg"))
+
+    def test_units_are_those_of_the_lab(self):
+        self.call("-q", "--plot", "p.svg", "--plot-kind", "profile")
+        self.assertIn("velocity [mm/s]", self.texts())
+        self.assertIn("distance from the axis [µm]", self.texts())
+
+    def test_cells_are_to_scale(self):
+        """The circle of a cell of 8 µm is 8/50 as wide as the axis to the wall."""
+        self.call("-q", "--plot", "p.svg", "--plot-kind", "cell", "--offset", "0")
+        numbers = re.compile(r"-?\d+(?:\.\d+)?")
+        for x_of in (0, 1):  # outlines are closed paths; the cell at rest is the roundest
+            spans = []
+            for path in self.svg().iter(SVG + "path"):
+                values = list(map(float, numbers.findall(path.get("d") or "")))
+                if len(values) > 150:
+                    spans.append(max(values[x_of::2]) - min(values[x_of::2]))
+            self.assertGreater(len(spans), 4)
+
+    def test_a_sweep_draws_the_values_of_get_over_its_longest_list(self):
+        self.call("-q", "--alpha", "0:0.9:0.3", "--velocity", "1mm/s,5mm/s", "--plot", "p.svg")
+        self.assertIn("α, how strongly the ink thins", self.texts())
+        self.assertIn("velocity 5 mm/s", self.texts())
+        self.call("-q", "--alpha", "0:0.9:0.3", "--velocity", "1:9:2mm/s", "--plot", "p.svg")
+        self.assertIn("velocity [mm/s]", self.texts())
+        self.assertIn("α 0.3", self.texts())
+        self.call("-q", "--radius", "50:100:10um", "--get", "nozzle.pressure_gradient", "--plot", "p.svg")
+        self.assertIn("nozzle.pressure_gradient [MPa/m]", self.texts())
+        self.assertIn("radius [µm]", self.texts())
+
+    def test_names_are_points_and_rows_without_an_answer_gaps(self):
+        self.call("-q", "--ink", "alginate-2.5,alginate-2-25C", "--plot", "p.svg")
+        self.assertIn("alginate-2-25C", self.texts())
+        self.call("-q", "--alpha", "0.5,0.9,1.3", "--plot", "p.svg", status=6)
+
+    def test_a_simulation_is_drawn_against_its_prediction(self):
+        self.call("-q", "--simulate=exit-flow", "--fidelity", "draft", "--plot", "p.svg")
+        self.assertIn("predicted", self.texts())
+        self.assertIn("simulated", self.texts())
+
+    def test_lines_differ_in_grey_and_for_colour_blind_eyes(self):
+        self.call("-q", "--radius", "50um", "--velocity", "1,2,3,4,5,6mm/s", "--alpha", "0:0.9:0.1",
+                  "--get", "nozzle.stress_max", "--plot", "p.svg")  # fmt: skip
+        seen = re.findall(r"stroke='rgb\( *(\d+), *(\d+), *(\d+)\)'|stroke=\"(#[0-9a-fA-F]{6})\"", self.read("p.svg").decode())
+        colours = ["#%02x%02x%02x" % tuple(map(int, rgb[:3])) if rgb[0] else rgb[3] for rgb in seen]
+        house = [c for c in dict.fromkeys(c.lower() for c in colours)
+                 if c in ("#000000", "#004f8c", "#c44e00", "#00a878", "#e69f00", "#9ad3f5")]  # fmt: skip
+        self.assertEqual(len(house), 6)
+        tones = [lightness(channels(c)) for c in house]
+        for dark, light in itertools.pairwise(tones):
+            self.assertGreater(light - dark, 7.0, tones)
+        for name, rows in BLINDNESS.items():
+            seen = [[sum(m * c for m, c in zip(row, channels(colour))) for row in rows] for colour in house]
+            for a, b in itertools.combinations(seen, 2):
+                self.assertGreater(distance(a, b), 9.0, name)  # 2.3 is just noticeable side by side
+
+    def test_text_of_the_users_is_text_and_nothing_else(self):
+        name = "x'`touch owned`\\n$(touch owned)\"; system \"touch owned\" <b>&"
+        self.write("ink.json", json.dumps(ink_named(name)))
+        file = "a b'; touch owned; `touch owned`.svg"
+        self.call("-q", "--ink", "./ink.json", "--plot", file)
+        self.assertEqual(self.names(), sorted([file, "ink.json"]))
+        self.assertTrue(any(name in text for text in self.texts(file)), self.texts(file)[:3])
+
+    def test_what_cannot_be_drawn_is_named_and_leaves_no_file(self):
+        for arguments, status, words in (
+            (["--plot", "p.gif"], 2, ".svg, .png or .pdf"),
+            (["--plot", ""], 2, "--plot"),
+            (["--plot", "p.svg", "--plot-kind", "pie"], 2, "nomogram"),
+            (["--plot-kind", "exit"], 2, "add --plot"),
+            (["--plot", "p.svg", "--batch", "x.csv"], 2, "--batch"),
+            (["--plot", "-", "--json"], 2, "--output"),
+            (["--plot", "p.svg", "--velocity", "0"], 2, "nothing flows"),
+            (["--plot", "p.svg", "--alpha", "1.2"], 3, "no steady flow"),
+            (["--plot", "p.svg", "--alpha", "0:0.9:0.1", "--velocity", "1:9:1mm/s"], 2, "shorten a list"),
+            (["--plot", "none/p.svg"], 4, "create the directory"),
+            (["--plot", "p.svg", "--alpha", "0,1", "--get", "input.ink.name"], 2, "is no number"),
+        ):  # fmt: skip
+            self.call("-q", *arguments, status=status)
+            self.assertIn(words, self.err)
+            self.assertEqual(len(self.err.splitlines()), 1, self.err)
+            self.assertEqual(self.names(), [])
+
+    def test_without_gnuplot_the_package_is_named(self):
+        os.mkdir(self.folder / "empty")
+        self.call("-q", "--plot", "p.svg", status=4, env={"PATH": str(self.folder / "empty")})
+        self.assertIn("apt-get install gnuplot-nox", self.err)
+        self.assertEqual(self.names(), ["empty"])
+
+    def test_a_gnuplot_that_fails_is_heard(self):
+        folder = self.folder / "bin"
+        folder.mkdir()
+        (folder / "gnuplot").write_text("#!/bin/sh\necho 'line 3: unknown terminal' >&2\nexit 1\n")
+        (folder / "gnuplot").chmod(0o755)
+        self.call("-q", "--plot", "p.svg", status=4, env={"PATH": f"{folder}:/usr/bin:/bin"})
+        self.assertIn("unknown terminal", self.err)
+        self.assertEqual(self.names(), ["bin"])
+
+
+main()
