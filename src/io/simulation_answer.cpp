@@ -249,7 +249,8 @@ std::vector<std::string> write(const Prediction& prediction, const Comparison& c
         }
     } else if (options.format == Format::table) {
         sink(answer_table(prediction, options.style) + simulation_table(comparison, question, options.style) +
-             extras_sections(answer, options.extras, results, options.style));
+             extras_sections(answer, options.extras, results, options.style) +
+             (options.ladder ? ladder_section(*options.ladder, options.style) : ""));
     } else {
         sink(json_text(answer, options.format == Format::json ? 2 : -1) + "\n");
     }
