@@ -38,11 +38,11 @@ _bioprint_predict() {
         previous=${COMP_WORDS[COMP_CWORD - 2]}
     fi
 
-    if [[ ${COMP_WORDS[1]} == fit && COMP_CWORD -gt 1 ]]; then
+    if [[ ${COMP_WORDS[1]} == fit ]] && ((COMP_CWORD > 1)); then
         _bioprint_predict_fit
         return
     fi
-    if [[ COMP_CWORD -eq 1 && -n $current && fit == "$current"* ]]; then
+    if ((COMP_CWORD == 1)) && [[ -n $current && fit == "$current"* ]]; then
         COMPREPLY=(fit)
         return
     fi

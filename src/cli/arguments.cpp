@@ -379,13 +379,14 @@ std::optional<Arguments> parse_words(int argc, const char* const* argv) {
 }  // namespace
 
 std::optional<Arguments> parse_arguments(int argc, const char* const* argv) {
-    const std::optional<Arguments> now = parse_words(argc, argv);
+    std::optional<Arguments> now = parse_words(argc, argv);
     if (!now || !now->long_run || !now->long_run->resumed) return now;
     const std::vector<std::string> words = resumed_words(now->long_run->directory, now->typed);
     std::vector<const char*> pointers;
+    pointers.reserve(words.size());
     for (const std::string& word : words) pointers.push_back(word.c_str());
-    const std::optional<Arguments> then = parse_words(static_cast<int>(pointers.size()), pointers.data());
-    return with_call(then.value(), *now);
+    std::optional<Arguments> then = parse_words(static_cast<int>(pointers.size()), pointers.data());
+    return with_call(std::move(then).value(), *now);
 }
 
 }  // namespace bioprint

@@ -17,8 +17,9 @@ void refuse_given(Key sought, const Arguments& arguments, Problems& problems) {
     for (const auto& [key, text] : arguments.given) {
         if (key != sought && !(drives(key) && drives(sought)) && !(sizes(key) && sizes(sought))) continue;
         const std::string name = "--" + std::string(info_of(key).option);
-        const std::string what(info_of(sought).option);
-        problems.add(name + ": cannot be given where " + what + " is sought; leave one of the two out", name);
+        std::string message = name + ": cannot be given where ";
+        message += info_of(sought).option;
+        problems.add(message + " is sought; leave one of the two out", name);
     }
 }
 

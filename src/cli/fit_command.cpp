@@ -67,7 +67,7 @@ void add_options(CLI::App& app, Raw& raw) {
     app.add_option("--eta-inf", raw.eta_inf, "infinite-shear viscosity: held at a value (default 0), or fit")
         ->type_name("QUANTITY");
     app.add_option("--name", raw.name, "of the ink (default: of the file)")->type_name("TEXT");
-    app.add_option("--preset", raw.preset, "write the ink there, for --ink FILE")->type_name("FILE");
+    app.add_option("--preset", raw.preset, "write the ink there, as a preset")->type_name("FILE");
     app.add_option("-f,--format", raw.format,
                    "table (default), json, or csv: the points with fit and residual")
         ->type_name("FORMAT");

@@ -19,6 +19,7 @@ struct RowText {
 };
 
 /// The answer of a row, or the refusal in its place; never throws for what is the row's own fault.
+// NOLINTNEXTLINE(bugprone-exception-escape): moving JSON does not throw
 struct RowAnswer {
     Json object;
     bool refused = false;

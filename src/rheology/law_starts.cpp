@@ -96,7 +96,10 @@ std::vector<Judged> plateau_grid(const LawModel& law, const Curve& curve) {
     const std::vector<double> corners =
         carreau ? std::vector<double>{0.5, 1.0, 2.0} : std::vector<double>{1.0};
     std::vector<Judged> judged;
-    for (double time = -curve.high - 2.0; time <= -curve.low + 3.0; time += step_time) {
+    const double first = -curve.high - 2.0;
+    const int times = 1 + static_cast<int>((3.0 - curve.low - first) / step_time);
+    for (int i = 0; i < times; ++i) {
+        const double time = first + i * step_time;
         for (const double thinning : {0.15, 0.35, 0.55, 0.75, 0.95, 1.4}) {
             for (const double corner : corners) {
                 for (const double floor : floors) {

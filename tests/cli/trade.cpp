@@ -58,6 +58,7 @@ TEST_CASE("trade: explain changes no number of the answer") {
     explained.erase("choice");
     CHECK(plain == explained);
     CHECK(contains(run("--explain -q").out, "Models for exit"));
+    CHECK(contains(run("--explain -q --simulate=exit-flow --fidelity draft").out, "Models for exit-flow"));
 }
 
 TEST_CASE("trade: a dry run counts rows and answers nothing") {

@@ -44,7 +44,7 @@ expect '--solve' design --sol
 expect 'alpha' design --solve al
 expect '--check --checkpoint-interval' --che
 
-expect 'fit' fi
+expect 'fit' 'fi'
 expect 'rows.csv' fit ro
 expect 'rows.csv' fit --preset ro
 expect '--law' fit rows.csv --l
@@ -53,7 +53,7 @@ expect 'table json csv' fit rows.csv --format =
 
 # Every long option the help names is proposed, and every one proposed is in the help: of the prediction, and of `fit`.
 for command in '' fit; do
-    # shellcheck disable=SC2086
+    # shellcheck disable=SC2086,SC2206
     COMP_WORDS=("$program" $command --)
     COMP_CWORD=$((${#COMP_WORDS[@]} - 1))
     _bioprint_predict
