@@ -18,7 +18,7 @@ namespace {
 constexpr double before = StreamlinePath::before;  // nozzle radii
 constexpr double after = StreamlinePath::after;
 constexpr double felt = 1.5;  // further in, what stands is the nozzle's stress
-constexpr double tolerance = 1e-6;
+constexpr double tolerance = 3e-7;
 /// A stiff cell follows its load, and an error of a step is gone in the next.
 constexpr double stiff_tolerance = 2e-5;
 constexpr int most_steps = 20000;

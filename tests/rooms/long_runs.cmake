@@ -6,9 +6,9 @@ target_compile_definitions(test_cli_long_runs PRIVATE BIOPRINT_PROGRAM="$<TARGET
 
 # With the system's own Python, which has python3-meshio.
 find_program(BIOPRINT_SYSTEM_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH REQUIRED)
-add_test(NAME pictures COMMAND ${BIOPRINT_SYSTEM_PYTHON} ${PROJECT_SOURCE_DIR}/tests/pictures/pictures.py
+add_test(NAME paraview COMMAND ${BIOPRINT_SYSTEM_PYTHON} ${PROJECT_SOURCE_DIR}/tests/paraview/paraview.py
   $<TARGET_FILE:bioprint-predict>)
-set_tests_properties(pictures PROPERTIES LABELS "slow")
+set_tests_properties(paraview PROPERTIES LABELS "slow")
 
 # A full disk, no place to write, two runs at once.
 add_test(NAME faults COMMAND ${BIOPRINT_SYSTEM_PYTHON} ${PROJECT_SOURCE_DIR}/tests/faults/faults.py
