@@ -6,27 +6,13 @@
 #include <iterator>
 #include <sstream>
 
+#include "predict/cubic_between.hpp"
 #include "predict/exit_series.hpp"
 
 namespace bioprint {
 namespace {
 
 using Line = std::vector<double>;
-
-/// Cubic through the four places around `at` (Lagrange).
-double interpolate(const Line& x, const Line& f, double at) {
-    const auto above = static_cast<std::size_t>(std::upper_bound(x.begin(), x.end(), at) - x.begin());
-    const std::size_t begin = std::clamp<std::size_t>(above, 2, x.size() - 2) - 2;
-    double sum = 0.0;
-    for (std::size_t i = begin; i < begin + 4; ++i) {
-        double weight = 1.0;
-        for (std::size_t j = begin; j < begin + 4; ++j) {
-            if (j != i) weight *= (at - x[j]) / (x[i] - x[j]);
-        }
-        sum += weight * f[i];
-    }
-    return sum;
-}
 
 /// Where f falls below `value`, coming from the strand.
 double place_of(const Line& x, const Line& f, double value) {
@@ -36,7 +22,7 @@ double place_of(const Line& x, const Line& f, double value) {
     double high = x[i];
     for (int n = 0; n < 50; ++n) {
         const double middle = 0.5 * (low + high);
-        (interpolate(x, f, middle) > value ? low : high) = middle;
+        (cubic_between(x, f, middle) > value ? low : high) = middle;
     }
     return low;
 }
@@ -51,8 +37,8 @@ Line extrapolated(const Line& x, const SimulatedExit& ink) {
     const double ratio = static_cast<double>(fine) / coarse;
     Line line;
     for (const double at : x) {
-        const double p = interpolate(x, c, at + shift / coarse);
-        const double q = interpolate(x, f, at + shift / fine);
+        const double p = cubic_between(x, c, at + shift / coarse);
+        const double q = cubic_between(x, f, at + shift / fine);
         line.push_back(q + (q - p) / (ratio * ratio - 1.0));
     }
     return line;
@@ -71,13 +57,13 @@ Line nodes(const Line& x, const Line& f) {
         double high = x[i];
         for (int n = 0; n < 50; ++n) {
             const double middle = 0.5 * (low + high);
-            (interpolate(x, y, middle) < wanted ? low : high) = middle;
+            (cubic_between(x, y, middle) < wanted ? low : high) = middle;
         }
         places.push_back(low);
     }
     Line result;
     for (const double before : exit_before)
-        result.push_back(exit_logit(interpolate(x, f, places[0] + before)));
+        result.push_back(exit_logit(cubic_between(x, f, places[0] + before)));
     result.insert(result.end(), places.begin(), places.end());
     return result;
 }

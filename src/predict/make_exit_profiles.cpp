@@ -12,6 +12,7 @@
 
 #include "bioprint/flow/nozzle_flow.hpp"
 #include "lattice/axisymmetric.hpp"
+#include "predict/cubic_between.hpp"
 #include "simulate/lattice_units.hpp"
 
 // Simulates the exit flows behind the exit table: the velocity on the axis through a nozzle exit,
@@ -127,20 +128,9 @@ std::vector<double> places() {
     return x;
 }
 
-/// Cubic through the four columns around `at`; 1 before the inflow.
+/// Between the columns; 1 before the inflow.
 double interpolate(const std::vector<double>& x, const std::vector<double>& f, double at) {
-    if (at < x.front()) return 1.0;
-    const auto above = static_cast<std::size_t>(std::upper_bound(x.begin(), x.end(), at) - x.begin());
-    const std::size_t begin = std::clamp<std::size_t>(above, 2, x.size() - 2) - 2;
-    double sum = 0.0;
-    for (std::size_t i = begin; i < begin + 4; ++i) {
-        double weight = 1.0;
-        for (std::size_t j = begin; j < begin + 4; ++j) {
-            if (j != i) weight *= (at - x[j]) / (x[i] - x[j]);
-        }
-        sum += weight * f[i];
-    }
-    return sum;
+    return at < x.front() ? 1.0 : cubic_between(x, f, at);
 }
 
 int columns(double radii, int nodes) {

@@ -58,11 +58,11 @@ class Channel {
                 advance();
                 sample();
                 ended = is_over();
-                setup_.watch.show(
-                    "channel", ended ? 1.0 : static_cast<double>(result_.steps) / total_, ended,
-                    [this] { return space_picture(lattice_, cell_, scale(), result_.series.back().time); });
-                setup_.watch.keep_state("channel", ended, [this] { return record(); });
-                if (!setup_.watch.goes_on("channel", ended ? 1.0 : fraction())) {
+                const auto picture = [this] {
+                    return space_picture(lattice_, cell_, scale(), result_.series.back().time);
+                };
+                if (!setup_.watch.attend("channel", ended ? 1.0 : fraction(), ended, picture,
+                                         [this] { return record(); })) {
                     result_.stopped = cancelled_run;
                 }
             }

@@ -159,11 +159,11 @@ class Passage {
             count(stride, result);
             add(result, observe());
             ended = enough(result.series.back());
-            setup_.watch.show(name_, ended ? 1.0 : fraction(result.series.back()), ended, [&] {
+            const auto picture = [&] {
                 return space_picture(lattice_, cell_, scale(), result.series.back().time);
-            });
-            setup_.watch.keep_state(name_, ended, [&] { return record(result); });
-            if (!setup_.watch.goes_on(name_, ended ? 1.0 : fraction(result.series.back()))) {
+            };
+            if (!setup_.watch.attend(name_, ended ? 1.0 : fraction(result.series.back()), ended, picture,
+                                     [&] { return record(result); })) {
                 result.stopped = cancelled_run;
             }
         }

@@ -85,11 +85,11 @@ class ShearRun {
                 advance(sample);
                 observe();
                 ended = is_over();
-                setup_.watch.show("shear", ended ? 1.0 : fraction(), ended, [this] {
+                const auto picture = [this] {
                     return space_picture(lattice_, cell_, scale(), result_.series.back().time);
-                });
-                setup_.watch.keep_state("shear", ended, [this] { return record(); });
-                if (!setup_.watch.goes_on("shear", ended ? 1.0 : fraction())) {
+                };
+                if (!setup_.watch.attend("shear", ended ? 1.0 : fraction(), ended, picture,
+                                         [this] { return record(); })) {
                     result_.stopped = cancelled_run;
                 }
             }

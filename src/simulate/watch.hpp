@@ -39,6 +39,14 @@ struct SceneWatch {
             picture(stage, fraction, finished, take);
         }
     }
+    /// After each sample of a stage: a picture, the state, and whether the run goes on.
+    [[nodiscard]] bool attend(const char* stage, double fraction, bool finished,
+                              const std::function<SimulationSnapshot()>& take,
+                              const std::function<Record()>& state) const {
+        show(stage, fraction, finished, take);
+        keep_state(stage, finished, state);
+        return goes_on(stage, fraction);
+    }
     [[nodiscard]] const std::vector<double>* kept(const char* stage) const {
         return found ? found(stage) : nullptr;
     }

@@ -7,44 +7,19 @@
 #include <omp.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
 #include <vector>
 
+#include "bench/memory_bandwidth.hpp"
 #include "lattice/d3q19.hpp"
-#include "lattice/huge_buffer.hpp"
 
 using namespace bioprint;
+using bench::bandwidth;
+using bench::best_seconds;
 
 namespace {
-
-template <class Work>
-double best_seconds(int repeats, Work work) {
-    double best = 1e30;
-    for (int i = 0; i < repeats; ++i) {
-        const auto start = std::chrono::steady_clock::now();
-        work();
-        best =
-            std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-    }
-    return best;
-}
-
-/// Bytes a second read and written back, in place.
-double bandwidth(int threads) {
-    constexpr long count = 96L << 20;
-    static const HugeBuffer buffer(count * sizeof(float));
-    auto* const data = static_cast<float*>(buffer.data());
-    const double seconds = best_seconds(5, [&] {
-#pragma omp parallel for simd num_threads(threads) schedule(static)
-        for (long i = 0; i < count; ++i) {
-            data[i] = data[i] * 0.5F + 1.0F;
-        }
-    });
-    return 2.0 * count * sizeof(float) / seconds;
-}
 
 enum class Kind { newtonian, cross, cross_coupled };
 

@@ -11,49 +11,24 @@
 #include <omp.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <vector>
 
+#include "bench/memory_bandwidth.hpp"
 #include "lattice/axisymmetric.hpp"
-#include "lattice/huge_buffer.hpp"
 #include "simulate/immersed_body.hpp"
 
 using namespace bioprint;
+using bench::bandwidth;
+using bench::best_seconds;
 
 namespace {
 
 constexpr double tube_radius = 37.5;
 constexpr double cell_radius = 6.0;
 constexpr double cell_offset = 18.0;
-
-template <class Work>
-double best_seconds(int repeats, const Work& work) {
-    double best = 1e30;
-    for (int i = 0; i < repeats; ++i) {
-        const auto start = std::chrono::steady_clock::now();
-        work();
-        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-        best = std::min(best, taken.count());
-    }
-    return best;
-}
-
-/// Bytes a second read and written back, in place.
-double bandwidth(int threads) {
-    constexpr long count = 96L << 20;
-    static const HugeBuffer buffer(count * sizeof(float));
-    auto* const data = static_cast<float*>(buffer.data());
-    const double seconds = best_seconds(5, [&] {
-#pragma omp parallel for simd num_threads(threads) schedule(static)
-        for (long i = 0; i < count; ++i) {
-            data[i] = data[i] * 0.5F + 1.0F;
-        }
-    });
-    return 2.0 * count * sizeof(float) / seconds;
-}
 
 enum class Place { channel, exit };
 

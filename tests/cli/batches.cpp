@@ -7,26 +7,18 @@
 #include <vector>
 
 #include "cli/command.hpp"
+#include "support/text.hpp"
 
 using bioprint::test::Outcome;
 using bioprint::test::read_scratch;
 using bioprint::test::run;
 using bioprint::test::scratch_exists;
 using bioprint::test::write_scratch;
+using bioprint::testing::contains;
+using bioprint::testing::lines;
 using nlohmann::json;
 
 namespace {
-
-std::vector<std::string> lines(const std::string& text) {
-    std::vector<std::string> result;
-    std::istringstream in(text);
-    for (std::string line; std::getline(in, line);) result.push_back(line);
-    return result;
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
 
 /// The value in the column called `name` of a row without quotes.
 std::string cell(const std::string& table, std::size_t row, const std::string& name, char separator = ',') {

@@ -5,19 +5,13 @@
 
 #include "cli/command.hpp"
 #include "support/schema.hpp"
+#include "support/text.hpp"
 
 using bioprint::test::Outcome;
 using bioprint::test::run;
+using bioprint::testing::contains;
 using bioprint::testing::schema_violations;
 using nlohmann::json;
-
-namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
-}  // namespace
 
 TEST_CASE("design: the answer is the prediction at the value with the design beside it") {
     const Outcome outcome =

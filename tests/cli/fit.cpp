@@ -9,16 +9,14 @@
 #include "cli/command.hpp"
 #include "support/rheometer_export.hpp"
 #include "support/schema.hpp"
+#include "support/text.hpp"
 
 using namespace bioprint::test;
+using bioprint::testing::contains;
 using bioprint::testing::schema_violations;
 using nlohmann::json;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
 
 double cross(double rate) {
     return 10.0 / (1.0 + std::pow(0.05 * rate, 0.75));

@@ -3,14 +3,12 @@
 #include <string>
 
 #include "cli/command.hpp"
+#include "support/text.hpp"
 
 using namespace bioprint::test;
+using bioprint::testing::contains;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
 
 const std::string yielding =
     "--law herschel-bulkley --yield-stress 60Pa --consistency 79Pa.s^n --flow-index 0.4 ";

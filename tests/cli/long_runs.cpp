@@ -5,21 +5,19 @@
 #include <string>
 
 #include "cli/command.hpp"
+#include "support/text.hpp"
 
 using bioprint::test::Outcome;
 using bioprint::test::read_scratch;
 using bioprint::test::run;
 using bioprint::test::scratch_exists;
 using bioprint::test::write_scratch;
+using bioprint::testing::contains;
 using nlohmann::json;
 
 namespace {
 
 const std::string draft = "-q --simulate=channel --fidelity draft ";
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
 
 /// One line, and the program's name before it.
 bool is_one_line(const std::string& text) {

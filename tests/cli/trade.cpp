@@ -4,19 +4,13 @@
 #include <string>
 
 #include "cli/command.hpp"
+#include "support/text.hpp"
 
 using bioprint::test::Outcome;
 using bioprint::test::run;
 using bioprint::test::write_scratch;
+using bioprint::testing::contains;
 using nlohmann::json;
-
-namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
-}  // namespace
 
 TEST_CASE("trade: a loose tolerance is answered by a prediction and a strict one by a simulation within it") {
     const json loose = json::parse(run("--offset 0 --tolerance 20% --json").out);

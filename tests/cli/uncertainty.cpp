@@ -7,19 +7,13 @@
 
 #include "cli/command.hpp"
 #include "support/schema.hpp"
+#include "support/text.hpp"
 
 using bioprint::test::Outcome;
 using bioprint::test::run;
+using bioprint::testing::contains;
 using bioprint::testing::schema_violations;
 using nlohmann::json;
-
-namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
-}  // namespace
 
 TEST_CASE("uncertainty: an input with its spread adds that of every number to the answer") {
     const Outcome outcome = run("--alpha 0.75±0.05 --json");

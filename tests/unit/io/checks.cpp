@@ -7,8 +7,10 @@
 #include "bioprint/errors.hpp"
 #include "io/answer_checks.hpp"
 #include "io/answer_path.hpp"
+#include "support/text.hpp"
 
 using namespace bioprint;
+using bioprint::testing::contains;
 
 namespace {
 
@@ -23,10 +25,6 @@ std::string refusal(const std::string& text) {
         return e.what();
     }
     return "";
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
 }
 
 }  // namespace

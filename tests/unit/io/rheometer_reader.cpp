@@ -11,9 +11,11 @@
 #include "io/flow_columns.hpp"
 #include "io/number_columns.hpp"
 #include "support/rheometer_export.hpp"
+#include "support/text.hpp"
 
 using namespace bioprint;
 using namespace bioprint::test;
+using bioprint::testing::contains;
 
 namespace {
 
@@ -41,10 +43,6 @@ std::string refusal(const std::string& bytes, const RheometerReadOptions& option
         return e.what();
     }
     return "not refused";
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
 }
 
 }  // namespace
