@@ -11,16 +11,15 @@
 /// the power of its tractions, with the Newtonian disturbance field ε' as the trial field (exact to first
 /// order in the thinning),
 ///
-///   η_b ∫ 2 ε':ε' dV = ∫ 2 [η(|e+ε'|) (e+ε') − η(|e|) e] : ε' dV                 over the ink outside the
-///   sphere
+///   η_b ∫ 2 ε':ε' dV = ∫ 2 [η(|e+ε'|) (e+ε') − η(|e|) e] : ε' dV        over the ink outside the sphere
 ///
 /// and the disturbance part is taken with η_b instead of η. Nothing is fitted. For the Cross law η_b = η_inf
 /// + (η0 − η_inf) c_b, and c_b is tabulated over the ratio of e to d − e and the size of both, once for each
 /// α. The field is that of uniaxial elongation; for other flows the sizes of the two tensors are used.
 ///
-/// Accuracy of the table against the integral: 8e-3 α, 4e-2 α for ink at rest around the cell; (K γ̇)^α up to
-/// 30, above which the ratio to the undisturbed viscosity is kept. tests/verify/thinning_response.cpp Cost:
-/// 10 µs to build, 0.1 µs a call.
+/// Accuracy of the table against the integral: 8e-3 α, 4e-2 α for ink nearly at rest around the cell;
+/// (K γ̇)^α up to 30, above which the ratio to the undisturbed viscosity is kept
+/// (tests/verify/thinning_response.cpp). Cost: 10 µs to build, 0.1 µs a call.
 namespace bioprint {
 
 class ThinningResponse {

@@ -13,23 +13,24 @@
 ///   dx/dt = d,     2η e + 2η_b k (e − d) = (2/3) μ (α1² − 1/α1) + 2λ η(d) d
 ///
 /// the balance of the stress outside and inside. No turning point: there is an answer for every load. Beyond
-/// the ellipsoid in a uniform flow this model has, each derived, none fitted,
-///   · the elongation averaged over the cell's volume (in a Newtonian ink Faxén's law), and its slip against
-///   the ink; · the part of the flow that is quadratic in position. It deforms the cell as in the nozzle
-///   (bullet.hpp), with two
-///     modes of their own relaxation times, (2/3+λ) η/μ and (19/16+λ) η/μ; the von Mises stress is averaged
-///     over the sum of the uniform and the linear stress field. To second order the bent cell is shorter and
-///     wider, by three quarters of what its elasticity alone would do (measured in the simulated channel);
-///   · the thinning of the ink by the cell's own disturbance (η_b: see thinning_response.hpp) and inside the
-///   cell,
-///     whose viscosity is λ times the ink's at the inner rate, as it is when the cell is filled with ink.
+/// the ellipsoid in a uniform flow this model has, none of them fitted to a printed cell,
+///
+///  - the elongation averaged over the cell's volume (in a Newtonian ink Faxén's law), and its slip against
+///    the ink;
+///  - the part of the flow that is quadratic in position. It deforms the cell as in the nozzle (bullet.hpp),
+///    with two modes of their own relaxation times, (2/3+λ) η/μ and (19/16+λ) η/μ; the von Mises stress is
+///    averaged over the sum of the uniform and the linear stress field. To second order the bent cell is
+///    shorter and wider, by three quarters of what its elasticity alone would do: this factor alone was
+///    measured, in the simulated channel;
+///  - the thinning of the ink by the cell's own disturbance (η_b: see thinning_response.hpp) and inside the
+///    cell, whose viscosity is λ times the ink's at the inner rate, as it is when the cell is filled with ink.
 ///
 /// An ink without a viscosity at rest (power law, yield stress) is taken at that of a millionth of velocity over cell
 /// radius where it rests: there it holds the cell as it is, but for what the cell's own relaxation thins.
 ///
 /// Validity: a cell small against the nozzle (a third at most), no wall; to first order in the quadratic
-/// part. Accuracy of the integration: 1e-6 of the peak stress. That of the model: see
-/// predict/exit_passage.hpp. Cost: about 100 µs.
+/// part. Accuracy of the model: see predict/exit_passage.hpp. Cost: 90 µs in a Newtonian ink,
+/// 240 µs in one that thins.
 namespace bioprint {
 
 /// The undisturbed flow about a point of the axis, z along it: u_z = velocity + elongation z + axial z² +
