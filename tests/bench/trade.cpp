@@ -1,5 +1,3 @@
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -13,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include "bench/processor_time.hpp"
 #include "bench/trade_questions.hpp"
 #include "bioprint/errors.hpp"
 #include "bioprint/predict/comparison.hpp"
@@ -47,13 +46,6 @@ constexpr Rung ladder[] = {
     {"steady", 0.0}, {"ellipsoid", 0.0}, {"draft", 3.0}, {"standard", 6.0}, {"fine", 12.0}};
 constexpr double dearer = 6.0;  ///< a rung against the one below it, in time, at least
 
-double cpu_seconds() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
-           1e-6 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
-}
-
 /// Wall and processor time of a call [s]; short ones are repeated until the clock can tell.
 struct Timing {
     double wall, cpu;
@@ -61,14 +53,14 @@ struct Timing {
 Timing timed(const std::function<void()>& call) {
     int repeats = 0;
     const auto begin = std::chrono::steady_clock::now();
-    const double cpu = cpu_seconds();
+    const double cpu = bench::processor_seconds();
     double wall = 0.0;
     do {
         call();
         ++repeats;
         wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     } while (wall < 0.05 && repeats < 4096);
-    return {wall / repeats, (cpu_seconds() - cpu) / repeats};
+    return {wall / repeats, (bench::processor_seconds() - cpu) / repeats};
 }
 
 Json run_prediction(const Question& question, bool transient) {

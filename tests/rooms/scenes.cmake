@@ -11,3 +11,4 @@ bioprint_tests(simulate_space_values
   SOURCES verify/space_simulation.cpp
   LINKS simulate
   LABELS slow)
+bioprint_bench(reductions SOURCES bench/reductions.cpp LINKS simulate lattice)
