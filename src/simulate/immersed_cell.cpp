@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "bioprint/errors.hpp"
+
 namespace bioprint {
 namespace {
 
@@ -58,7 +60,8 @@ ImmersedCell::ImmersedCell(const ImmersedCellSetup& setup, double centre)
       inside_(body_.mesh()),
       stiffened_{},
       position_(body_.mesh().vertices),
-      vertex_velocity_(position_.size()),
+      mean_position_(position_),
+      vertex_velocity_(position_.size(), {.x = 0.0, .r = 0.0}),
       force_(position_.size()) {
     const double stiffer = std::pow(setup.radius / body_.mesh().radius, 3.0);
     stiffened_ = {.shear_modulus = setup.shear_modulus * stiffer,
@@ -79,21 +82,29 @@ void ImmersedCell::shift(double x) {
 
 void ImmersedCell::set_positions(std::span<const solid::RingPoint> position) {
     position_.assign(position.begin(), position.end());
+    std::fill(vertex_velocity_.begin(), vertex_velocity_.end(), solid::RingPoint{.x = 0.0, .r = 0.0});
 }
 
 std::vector<double> ImmersedCell::state() const {
     std::vector<double> flat;
-    flat.reserve(2 * position_.size());
-    for (const auto& p : position_) {
-        flat.push_back(p.x);
-        flat.push_back(p.r);
+    flat.reserve(4 * position_.size());
+    for (const auto* const list : {&position_, &vertex_velocity_}) {
+        for (const auto& p : *list) {
+            flat.push_back(p.x);
+            flat.push_back(p.r);
+        }
     }
     return flat;
 }
 
 void ImmersedCell::restore(std::span<const double> state) {
-    for (std::size_t v = 0; v < position_.size() && 2 * v + 1 < state.size(); ++v) {
+    const std::size_t count = position_.size();
+    if (state.size() != 4 * count) {
+        throw DataError("the checkpoint is of another mesh");
+    }
+    for (std::size_t v = 0; v < count; ++v) {
         position_[v] = {.x = state[2 * v], .r = state[2 * v + 1]};
+        vertex_velocity_[v] = {.x = state[2 * (count + v)], .r = state[2 * (count + v) + 1]};
     }
 }
 
@@ -128,7 +139,11 @@ void ImmersedCell::load(lattice::AxisymmetricFlow& flow) {
     loaded_ = window();
     flow.set_window(loaded_);
     std::fill(force_.begin(), force_.end(), solid::RingForce{.x = 0.0, .r = 0.0});
-    body_.energy(position_, stiffened_, force_);
+    for (std::size_t v = 0; v < position_.size(); ++v) {
+        mean_position_[v] = {.x = position_[v].x - 0.5 * vertex_velocity_[v].x,
+                             .r = position_[v].r - 0.5 * vertex_velocity_[v].r};
+    }
+    body_.energy(mean_position_, stiffened_, force_);
     if (setup_.coupling == Coupling::inside) {
         inside_.place(position_, point_);
         inside_.spread(force_, point_force_);
@@ -170,9 +185,10 @@ bool ImmersedCell::move(const lattice::AxisymmetricFlow& flow) {
     }
     for (std::size_t v = 0; v < position_.size(); ++v) {
         position_[v].x += vertex_velocity_[v].x;
-        if (!body_.mesh().on_axis(static_cast<int>(v))) {
-            position_[v].r += vertex_velocity_[v].r;
+        if (body_.mesh().on_axis(static_cast<int>(v))) {
+            vertex_velocity_[v].r = 0.0;
         }
+        position_[v].r += vertex_velocity_[v].r;
     }
     if (setup_.volume_strength > 0.0) {
         for (int sweep = 0; sweep < setup_.volume_sweeps; ++sweep) {

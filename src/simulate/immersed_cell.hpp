@@ -14,6 +14,10 @@
 /// Forces are spread with the two-point kernel over the ring areas 2πr of the nodes, velocities interpolated
 /// with the same weights: the two are adjoint, so the coupling neither makes nor loses work.
 ///
+/// The forces are those of the mean of the last two positions: half of each step's positions is what keeps the lattice's
+/// oscillation of period two, which no viscosity damps, from feeding on them (A. J. C. Ladd, J. Fluid Mech. 271, 1994,
+/// averages the forces on a particle so). Without it the cell of every run grows it, e times in some thousand steps.
+///
 /// `inside` couples through points within the elements (solid/ring_points.hpp). Three points an element and
 /// elements 1.5 lattice spacings wide leave no excess of the body's hydrodynamic radius that can be seen;
 /// coupling at the vertices, the usual way, makes a body act as one larger by 0.3 to 0.4 spacings at any
@@ -49,7 +53,8 @@ class ImmersedCell {
     [[nodiscard]] std::span<const solid::RingPoint> positions() const { return position_; }
     [[nodiscard]] std::vector<double> von_mises() const;
     void set_positions(std::span<const solid::RingPoint> position);
-    /// The positions as plain numbers, and back.
+    /// Positions and velocities as plain numbers, and back.
+    /// @throws DataError  they are those of another mesh
     [[nodiscard]] std::vector<double> state() const;
     void restore(std::span<const double> state);
     void shift(double x);
@@ -72,7 +77,7 @@ class ImmersedCell {
     solid::VolumeRelaxation volume_;
     solid::RingPoints inside_;
     solid::NeoHookean stiffened_;
-    std::vector<solid::RingPoint> position_, vertex_velocity_, point_, point_velocity_;
+    std::vector<solid::RingPoint> position_, mean_position_, vertex_velocity_, point_, point_velocity_;
     std::vector<solid::RingForce> force_, point_force_;
     std::vector<Stencil> stencil_;
     lattice::ForceWindow loaded_;

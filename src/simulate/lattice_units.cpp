@@ -14,7 +14,10 @@ constexpr double largest_reynolds = 1.0;
 constexpr double largest_modulus = 0.2 * sound_squared;
 constexpr double largest_velocity = 0.05;
 constexpr double softest_cell = 2.5;  ///< G R_c/μ: 2 settles on every lattice, 3.2 breaks on the finest
-constexpr double smallest_viscosity = 1e-3;
+/// Of the ink around the cell in lattice units: a thinner one hardly damps the waves of a stiff cell.
+constexpr double smallest_viscosity = 0.05;
+constexpr double most_steps = 1e5;   ///< for each nozzle radius of the way
+constexpr double rigid_load = 0.01;  ///< G R_c/μ below which a softer cell bears the same stress
 constexpr int smallest_radius = 12;
 constexpr int largest_radius = 2000;
 constexpr double usual_confinement = 0.16;
@@ -50,6 +53,15 @@ double largest_stress(const Scene& scene, const NozzleFlow& flow) {
     const double rate = flow.velocity_excess() / scene.nozzle_radius;
     const double exit = 2.5 * std::sqrt(3.0) * stress(flow.ink(), std::sqrt(3.0) * rate);
     return scene.kind == SceneKind::channel ? channel : std::max(channel, exit);
+}
+
+/// The least viscosity of the ink that touches the cell, over η0.
+double viscosity_around(const Scene& scene, const NozzleFlow& flow) {
+    double rate = flow.shear_rate(std::min(scene.cell.radius, scene.nozzle_radius));
+    if (scene.kind == SceneKind::exit) {
+        rate = std::max(rate, std::sqrt(3.0) * flow.velocity_excess() / scene.nozzle_radius);
+    }
+    return viscosity(flow.ink(), rate) / cross_law(flow.ink()).eta0;
 }
 
 }  // namespace
@@ -108,8 +120,11 @@ int nodes_for(const Scene& scene, int layers, double mesh_spacing) {
     return std::max(smallest_radius, static_cast<int>(std::lround(nodes)));
 }
 
-LatticeUnits units_for_cell(const Scene& scene, const NozzleFlow& flow, int nodes,
-                            const SimulationOptions& options) {
+namespace {
+
+/// Units by the limits of lattice_units.hpp, however many steps they take.
+LatticeUnits within_limits(const Scene& scene, const NozzleFlow& flow, int nodes,
+                           const SimulationOptions& options) {
     const double stiffness = std::max(1.0, options.bulk_modulus_ratio);
     const double wall = viscosity(flow.ink(), flow.shear_rate_max()) / cross_law(flow.ink()).eta0;
     const double reynolds = std::min(largest_reynolds, largest_wall_reynolds * wall);
@@ -130,16 +145,62 @@ LatticeUnits units_for_cell(const Scene& scene, const NozzleFlow& flow, int node
     const Limit& tightest =
         *std::min_element(limits.begin(), limits.end(),
                           [](const Limit& a, const Limit& b) { return a.viscosity < b.viscosity; });
-    if (tightest.viscosity < smallest_viscosity) {
-        const double factor = std::pow(smallest_viscosity / tightest.viscosity, 2.0);
-        throw UsageError("a cell of " + number(scene.cell.shear_modulus) +
-                             " Pa is too stiff for this flow: the coupling holds up to " +
-                             number(scene.cell.shear_modulus / factor) + " Pa at this speed",
-                         "--shear-modulus");
+    // A stiff cell in a slow flow: the viscosity is kept and the flow slowed until the limits hold again.
+    const double least = smallest_viscosity / viscosity_around(scene, flow);
+    if (tightest.viscosity < least) {
+        const double slower = std::pow(tightest.viscosity / least, 2.0);
+        LatticeUnits units = make(flow, nodes, slower * reynolds * least / nodes, least);
+        units.binding = std::string(tightest.name) + ", viscosity";
+        return units;
     }
     LatticeUnits units = make(flow, nodes, reynolds * tightest.viscosity / nodes, tightest.viscosity);
     units.binding =
         reynolds < largest_reynolds ? std::string("unsteadiness, ") + tightest.name : tightest.name;
+    return units;
+}
+
+double steps_a_radius(const LatticeUnits& units) {
+    return units.radius / units.velocity_lu;
+}
+
+/// The stiffest softer cell whose run takes no more than `most_steps` a radius; 0 when there is none.
+double stiffest_modulus(Scene scene, const NozzleFlow& flow, int nodes, const SimulationOptions& options) {
+    constexpr int tenths_of_decades = 120;
+    for (int i = 0; i < tenths_of_decades; ++i) {
+        scene.cell.shear_modulus *= std::pow(10.0, -0.1);
+        if (steps_a_radius(within_limits(scene, flow, nodes, options)) <= most_steps)
+            return scene.cell.shear_modulus;
+    }
+    return 0.0;
+}
+
+[[noreturn]] void refuse_duration(const Scene& scene, const NozzleFlow& flow, const LatticeUnits& units,
+                                  const SimulationOptions& options) {
+    const std::string steps = number(steps_a_radius(units)) +
+                              " steps for each nozzle radius of its way, and " + number(most_steps) +
+                              " are the limit; ";
+    const double modulus = stiffest_modulus(scene, flow, units.radius, options);
+    const double load = flow.pressure_gradient() * scene.cell.radius / modulus;
+    if (modulus > 0.0 && load < rigid_load) {
+        throw UsageError("--shear-modulus: a cell of " + number(scene.cell.shear_modulus) +
+                             " Pa in this slow flow would take " + steps + "one of " + number(modulus) +
+                             " Pa fits and bears the same stress, for it is all but rigid as well (G R_c/μ " +
+                             number(load) + ")",
+                         "--shear-modulus");
+    }
+    const double wall = viscosity(flow.ink(), flow.shear_rate_max()) / cross_law(flow.ink()).eta0;
+    throw UsageError("--alpha: the ink's viscosity falls to " + number(wall) +
+                         " of its largest at the wall, and a cell would take " + steps +
+                         "lower --alpha, --velocity or --time-constant, or ask for --simulate=exit-flow",
+                     "--alpha");
+}
+
+}  // namespace
+
+LatticeUnits units_for_cell(const Scene& scene, const NozzleFlow& flow, int nodes,
+                            const SimulationOptions& options) {
+    LatticeUnits units = within_limits(scene, flow, nodes, options);
+    if (steps_a_radius(units) > most_steps) refuse_duration(scene, flow, units, options);
     return units;
 }
 

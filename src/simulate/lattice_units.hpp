@@ -14,6 +14,8 @@
 ///   compression    largest stress/(ρ c_s²) ≤ `accuracy`: what the lattice fluid yields to a pressure
 ///   elastic waves  the larger of μ and κ/(ρ c_s²) ≤ 0.2 in lattice units: stability of the coupling
 ///   velocity       u ≤ 0.05
+/// A stiff cell in a slow flow would leave the lattice too little viscosity; it is kept at 0.05 around the cell and
+/// the flow slowed instead, up to 1e5 steps a nozzle radius.
 /// With S the largest stress and Re = u R/ν0: u = Re ν0/N, stress in lattice units = S R/(η0 U) · Re ν0²/N².
 namespace bioprint {
 

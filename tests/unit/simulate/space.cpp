@@ -108,3 +108,20 @@ TEST_CASE("simulation in space: a cell near the wall or lost in its nozzle is re
     wide.nozzle_radius = 4e-3;
     CHECK(refusal(wide, 6.0).find("--simulate=shear") != std::string::npos);
 }
+
+TEST_CASE("simulation in space: a shear load that the lattice does not follow is refused with what fits") {
+    const auto message = [](double fluid_stress) {
+        Scene s = scene(SceneKind::shear, 0.0);
+        s.fluid_stress = fluid_stress;
+        try {
+            simulate(s, {.resolution = 3.0});
+        } catch (const UsageError& e) {
+            CHECK(e.option() == "--fluid-stress");
+            return std::string(e.what());
+        }
+        return std::string();
+    };
+    // At 2.8 times the modulus a draft gave half as much again as Roscoe's theory, without a word.
+    CHECK(message(2800.0).find("2.2e+03 Pa or less") != std::string::npos);
+    CHECK(message(1.0).find("3 Pa or more") != std::string::npos);
+}
