@@ -1,8 +1,4 @@
-bioprint_tests(cli
-  SOURCES cli/command.cpp cli/calls.cpp cli/batches.cpp cli/laws.cpp cli/schema.cpp support/schema.cpp
-  PRIVATE nlohmann_json::nlohmann_json)
-add_dependencies(test_cli bioprint-predict)
-target_compile_definitions(test_cli PRIVATE BIOPRINT_PROGRAM="$<TARGET_FILE:bioprint-predict>")
+bioprint_program_tests(cli SOURCES cli/calls.cpp cli/batches.cpp cli/laws.cpp cli/schema.cpp)
 
 bioprint_bench(command SOURCES bench/command.cpp)
 add_executable(bench_empty EXCLUDE_FROM_ALL bench/empty.cpp)

@@ -12,5 +12,5 @@ bioprint_tests(rheometer
   SOURCES unit/io/rheometer_reader.cpp verify/fit_exports.cpp support/rheometer_export.cpp
   LINKS io)
 
-# The command itself; command.cpp and schema.cpp are in test_cli already.
+# The command itself.
 target_sources(test_cli PRIVATE cli/fit.cpp support/rheometer_export.cpp)

@@ -1,8 +1,4 @@
-bioprint_tests(cli_long_runs
-  SOURCES cli/command.cpp cli/long_runs.cpp
-  PRIVATE nlohmann_json::nlohmann_json)
-add_dependencies(test_cli_long_runs bioprint-predict)
-target_compile_definitions(test_cli_long_runs PRIVATE BIOPRINT_PROGRAM="$<TARGET_FILE:bioprint-predict>")
+bioprint_program_tests(cli_long_runs SOURCES cli/long_runs.cpp)
 
 # With the system's own Python, which has python3-meshio.
 find_program(BIOPRINT_SYSTEM_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH REQUIRED)

@@ -7,11 +7,7 @@ add_custom_target(trade COMMAND bench_trade ${PROJECT_SOURCE_DIR}/data/trade.jso
                   COMMAND ${PROJECT_SOURCE_DIR}/tools/make-trade USES_TERMINAL)
 
 bioprint_tests(ladder SOURCES unit/predict/ladder.cpp LINKS predict)
-bioprint_tests(cli_trade
-  SOURCES cli/command.cpp cli/trade.cpp
-  PRIVATE nlohmann_json::nlohmann_json)
-add_dependencies(test_cli_trade bioprint-predict)
-target_compile_definitions(test_cli_trade PRIVATE BIOPRINT_PROGRAM="$<TARGET_FILE:bioprint-predict>")
+bioprint_program_tests(cli_trade SOURCES cli/trade.cpp)
 
 # What README, manual and program say of it follows from the measured file.
 add_test(NAME trade-tables COMMAND ${PROJECT_SOURCE_DIR}/tools/make-trade --check)
