@@ -317,6 +317,11 @@ int main(int argc, char** argv) {
         const std::optional<Arguments> arguments = parse_arguments(argc, argv);
         return arguments ? run(*arguments) : 0;
     } catch (const Error& e) {
+        if (interrupted && exit_status_of_current() == 4) {
+            // gnuplot gets the same Ctrl-C, and its end is not what went wrong.
+            say("interrupted; no file was written");
+            return status_interrupted;
+        }
         say(e.what());
         return exit_status_of_current();
     } catch (const std::exception& e) {

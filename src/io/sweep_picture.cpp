@@ -91,6 +91,7 @@ std::vector<Quantity> computed(const Sweep& sweep, const RunOptions& options) {
     }
     std::vector<std::exception_ptr> refusals(sweep.size());
     for_each_index(sweep.size(), options.jobs, [&](std::size_t row) {
+        if (options.interrupted != nullptr && *options.interrupted) throw DataError("interrupted");
         try {
             take(sweep.row(row), options, row, quantities);
         } catch (const Error&) {
