@@ -285,14 +285,15 @@ Picture sweep_picture(const Sweep& sweep, const RunOptions& options) {
                                     : panels_by_quantity(lines, quantities);
     require_few_lines(panels);
     for (Panel& panel : panels) choose_logarithm(panel);
-    Picture picture{.name = "sweep",
-                    .title = sweep_title(sweep),
-                    .subtitle = sweep_subtitle(sweep),
-                    .caption = std::string("Each point is a prediction; a gap is a row without an answer.") +
-                               (options.extras.uncertainty.wanted
-                                    ? " Bars: 5 to 95 % of the answers to the uncertain inputs."
-                                    : ""),
-                    .rows = {}};
+    Picture picture{
+        .name = "sweep",
+        .title = sweep_title(sweep),
+        .subtitle = sweep_subtitle(sweep) + (options.extras.uncertainty.wanted ? "; bars: 5 to 95 %" : ""),
+        .caption =
+            std::string("Each point is a prediction; a gap is a row without an answer.") +
+            (options.extras.uncertainty.wanted ? " Bars: 5 to 95 % of the answers to the uncertain inputs."
+                                               : ""),
+        .rows = {}};
     for (std::size_t i = 0; i < panels.size(); i += 2) {
         PictureRow row{.panels = {std::move(panels[i])}, .height = panels.size() == 1 ? 480 : 400};
         if (i + 1 < panels.size()) row.panels.push_back(std::move(panels[i + 1]));

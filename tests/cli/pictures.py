@@ -160,6 +160,7 @@ class Pictures(Case):
         without = len(self.read("p.svg"))
         self.call("-q", "--velocity", "1:5:1mm/s", "--uncertainty", "--samples", "32", "--format", "csv", "--plot", "p.svg")
         self.assertGreater(len(self.read("p.svg")), without + 1000)
+        self.assertTrue(any(text.endswith("bars: 5 to 95 %") for text in self.texts()), self.texts()[:3])
         self.assertIn("nozzle.stress_max [Pa]", plain)
 
     def test_a_viscosity_without_a_bound_leaves_its_curve_readable(self):
