@@ -72,12 +72,7 @@ std::string looks(const Series& series) {
     const std::string color = "lc rgb '" + std::string(style.color) + "'";
     const std::string dash = " dt " + std::string(style.dash);
     const std::string point = " pt " + std::to_string(style.point) + " ps 0.9";
-    if (has_bars(series) && series.mark != Mark::band) {
-        const bool lines = series.mark == Mark::line_points || series.mark == Mark::line;
-        return (lines ? "with yerrorlines " + color + " lw 1.6" + dash
-                      : "with yerrorbars " + color + " lw 1.6") +
-               point;
-    }
+    if (has_bars(series) && series.mark != Mark::band) return "with yerrorbars " + color + " lw 1.6" + point;
     switch (series.mark) {
         case Mark::line:
             return "with lines " + color + " lw 2.2" + dash;
@@ -147,9 +142,18 @@ class PanelScript {
             // Letters in place of a light tint hide the curves.
             if (canvas_ == Canvas::terminal && series.mark == Mark::band) continue;
             blocks += data_block(series, x_, y_, i);
-            plot += (plot.empty() ? "plot " : ", \\\n     ") + std::string("$data") + std::to_string(i) +
-                    " " + looks(series) +
-                    (series.title.empty() ? " notitle" : " title " + quoted(series.title));
+            const auto add = [&](const std::string& how, const std::string& title) {
+                plot += (plot.empty() ? "plot " : ", \\\n     ") + std::string("$data") + std::to_string(i) +
+                        " " + how + (title.empty() ? " notitle" : " title " + quoted(title));
+            };
+            // A bar is drawn through even where the line it stands on is dashed.
+            if (has_bars(series) && (series.mark == Mark::line || series.mark == Mark::line_points)) {
+                Series line = series;
+                line.low.clear();
+                line.mark = Mark::line;
+                add(looks(line), "");
+            }
+            add(looks(series), series.title);
         }
         return out + blocks + (plot.empty() ? "plot [0:1] [0:1] NaN notitle" : plot) + "\n";
     }

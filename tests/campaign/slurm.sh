@@ -13,6 +13,7 @@ examples=$(realpath "$(dirname "$0")/../../data/examples")
 for need in munged slurmctld slurmd sbatch; do
     PATH=$PATH:/usr/sbin command -v "$need" >/dev/null || { echo "skipped: $need is not installed"; exit 77; }
 done
+((EUID == 0)) || { echo "skipped: the daemons need root"; exit 77; }
 export PATH=$PATH:/usr/sbin
 folder=$(mktemp -d /tmp/slurm-XXXXXX)
 chmod 755 "$folder"
