@@ -15,12 +15,12 @@ _bioprint_predict_fit() { # the words after `fit`
         --eta-inf) words='fit' ;;
         --interval | --name | --get) return ;;
         *)
-            if [[ $current != -* || $previous == -o || $previous == --output || $previous == --preset ]]; then
+            if [[ $current != -* || $previous == -o || $previous == --output || $previous == --preset || $previous == --plot ]]; then
                 compopt -o filenames 2>/dev/null
                 mapfile -t COMPREPLY < <(compgen -f -- "$current")
                 return
             fi
-            words='--law --interval --eta-inf --name --preset -f --format --json --get -o --output -q --quiet --no-color
+            words='--law --interval --eta-inf --name --preset --plot -f --format --json --get -o --output -q --quiet --no-color
                 -h --help'
             ;;
     esac

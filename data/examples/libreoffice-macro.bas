@@ -159,11 +159,11 @@ Function ScratchName(ending As String) As String
 End Function
 
 Sub WriteText(file As String, text As String)
-    Dim access As Object
+    Dim files As Object
     Dim stream As Object
-    access = createUnoService("com.sun.star.ucb.SimpleFileAccess")
+    files = createUnoService("com.sun.star.ucb.SimpleFileAccess")
     stream = createUnoService("com.sun.star.io.TextOutputStream")
-    stream.setOutputStream(access.openFileWrite(ConvertToURL(file)))
+    stream.setOutputStream(files.openFileWrite(ConvertToURL(file)))
     stream.setEncoding("UTF-8")
     stream.writeString(text)
     stream.closeOutput()

@@ -4,14 +4,15 @@
 #SBATCH --cpus-per-task=1
 #SBATCH --time=00:10:00
 # A batch in eight pieces, one a task:   sbatch slurm-array.sh runs.csv
-# When all are done:                     cat runs.piece-*.csv > answers.csv
+# When all are done:                     join-pieces.sh runs.piece-*.csv > answers.csv
+# which says when a piece is missing or there twice.
 set -euo pipefail
 batch=$1
 task=$SLURM_ARRAY_TASK_ID
-# Pieces sort as they count, so that the shell joins them in order.
-piece=$(printf '%s.piece-%04d.csv' "${batch%.csv}" "$task")
+pieces=$SLURM_ARRAY_TASK_COUNT
+piece="${batch%.csv}.piece-$task-of-$pieces.csv"
 status=0
-bioprint-predict -q --batch "$batch" --shard "$task/$SLURM_ARRAY_TASK_COUNT" \
+bioprint-predict -q --batch "$batch" --shard "$task/$pieces" \
     --jobs "${SLURM_CPUS_PER_TASK:-1}" --output "$piece" || status=$?
 # 6: some rows have no answer and say why in their place; the piece is whole.
 ((status == 0 || status == 6)) || exit "$status"

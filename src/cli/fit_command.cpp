@@ -13,7 +13,10 @@
 #include "bioprint/io/quantity.hpp"
 #include "cli/call_problems.hpp"
 #include "io/fit_answer.hpp"
+#include "io/fit_picture.hpp"
 #include "io/fit_table.hpp"
+#include "io/gnuplot.hpp"
+#include "io/plot.hpp"
 #include "io/settings.hpp"
 #include "io/whole_file.hpp"
 
@@ -41,6 +44,7 @@ struct Raw {
     std::optional<std::string> eta_inf;
     std::optional<std::string> name;
     std::optional<std::string> preset;
+    std::optional<std::string> plot;
     std::optional<std::string> format;
     std::optional<std::string> output;
     std::vector<std::string> paths;
@@ -53,6 +57,7 @@ enum class FitFormat { table, json, csv };
 
 struct FitCall {
     FitQuestion question;
+    std::optional<PlotQuestion> plot;
     FitFormat format = FitFormat::table;
 };
 
@@ -68,6 +73,8 @@ void add_options(CLI::App& app, Raw& raw) {
         ->type_name("QUANTITY");
     app.add_option("--name", raw.name, "of the ink (default: of the file)")->type_name("TEXT");
     app.add_option("--preset", raw.preset, "write the ink there, as a preset")->type_name("FILE");
+    app.add_option("--plot", raw.plot, "draw it there: .svg, .png or .pdf; - draws in the terminal")
+        ->type_name("FILE");
     app.add_option("-f,--format", raw.format,
                    "table (default), json, or csv: the points with fit and residual")
         ->type_name("FORMAT");
@@ -106,6 +113,19 @@ std::vector<std::size_t> parse_intervals(const std::string& text) {
         numbers.push_back(number);
         if (next == end) return numbers;
         at = next + 1;
+    }
+}
+
+void check_plot(const Raw& raw, FitCall& call, Problems& problems) {
+    if (!raw.plot) return;
+    call.plot = PlotQuestion{.file = *raw.plot};
+    problems.collect([&] { checked_canvas(*call.plot); });
+    const bool shared = *raw.plot == "-" && !raw.output;
+    if (shared && (call.format != FitFormat::table || !raw.paths.empty())) {
+        problems.add(
+            "--plot: - would draw between the lines of the answer; name a file, or send the answer to one "
+            "with --output",
+            "--plot");
     }
 }
 
@@ -159,6 +179,7 @@ FitCall check(const Raw& raw, Problems& problems) {
     } else if (raw.json) {
         call.format = FitFormat::json;
     }
+    check_plot(raw, call, problems);
     return call;
 }
 
@@ -205,14 +226,21 @@ int run_fit_command(int argc, const char* const* argv) {
     problems.raise();
 
     WholeFile output(raw.output.value_or("-"));
+    std::optional<WholeFile> plot;
+    if (call.plot) {
+        require_gnuplot("--plot");
+        plot.emplace(call.plot->file);
+    }
     const FitAnswer answer = answer_fit(call.question);
     output.write(text_of(answer, call, raw));
+    if (plot) plot->write(draw(fit_picture(answer), checked_canvas(*call.plot), terminal_size()));
     if (raw.preset) {
         WholeFile preset(*raw.preset);
         preset.write(fit_preset_text(answer));
         preset.commit();
     }
     output.commit();
+    if (plot) plot->commit();
     const bool shown =
         raw.paths.empty() && call.format != FitFormat::csv;  // there the notes are part of the answer
     if (!shown && !raw.quiet) say_notes(answer);

@@ -124,8 +124,10 @@ RunDirectory directory_of(const Arguments& arguments) {
                        : RunDirectory::begin(run.directory, arguments.typed);
 }
 
-std::vector<std::string> run_simulation(const Arguments& arguments, const RunOptions& options,
-                                        const Sink& sink, Pictures& pictures) {
+std::vector<std::string> run_simulation(const Arguments& arguments, RunOptions options, const Sink& sink,
+                                        Pictures& pictures) {
+    Json answer;
+    options.seen = [&](const Json& written) { answer = written; };
     std::optional<RunDirectory> directory;
     std::optional<SimulationFiles> files;
     if (arguments.long_run) {
@@ -145,7 +147,7 @@ std::vector<std::string> run_simulation(const Arguments& arguments, const RunOpt
         return answer_with_simulation(arguments.sweep.fixed(), *arguments.simulation, options, simulation,
                                       sink, files ? &*files : nullptr,
                                       [&](const Prediction& prediction, const Comparison& comparison) {
-                                          pictures.draw(prediction, comparison, *arguments.simulation);
+                                          pictures.draw(prediction, comparison, answer);
                                       });
     } catch (const UsageError&) {
         if (directory) directory->abandon();
@@ -248,7 +250,7 @@ int answer_kept_rows(const Arguments& arguments, RunOptions options, const Sink&
     return result.refused > 0 ? status_some_rows_failed : 0;
 }
 
-int answer_rows(const Arguments& arguments, const RunOptions& options, const Sink& notice, Output& output,
+int answer_rows(const Arguments& arguments, RunOptions options, const Sink& notice, Output& output,
                 Pictures& pictures) {
     const Sink sink = [&](std::string_view text) { output.write(text); };
     if (!arguments.design) pictures.draw(options);
@@ -315,6 +317,11 @@ int main(int argc, char** argv) {
         const std::optional<Arguments> arguments = parse_arguments(argc, argv);
         return arguments ? run(*arguments) : 0;
     } catch (const Error& e) {
+        if (interrupted && exit_status_of_current() == 4) {
+            // gnuplot gets the same Ctrl-C, and its end is not what went wrong.
+            say("interrupted; no file was written");
+            return status_interrupted;
+        }
         say(e.what());
         return exit_status_of_current();
     } catch (const std::exception& e) {

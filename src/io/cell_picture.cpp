@@ -89,13 +89,14 @@ Series segment(double x0, double x1, double y) {
 void add_off_axis(const PictureData& data, Panel& panel) {
     double place = -2.75 * data.question.radius;
     bool above = true;
-    for (const CellAnswer& cell : data.prediction.cells) {
-        if (cell.place != Place::nozzle || cell.offset <= 0.0 || !cell.stretch) continue;
+    for (const auto& [index, cell] : cells_in_nozzle(data)) {
+        if (cell.offset <= 0.0 || !cell.stretch) continue;
         const double side = above ? 1.0 : -1.0;
         const double radius = data.question.cell.radius;
-        panel.series.push_back(drawn(ellipse(place, side * cell.offset, (*cell.stretch)[0] * radius,
-                                             (*cell.stretch)[1] * radius, -side * cell.angle.value_or(0.0)),
-                                     Mark::outline, 1));
+        const Outline outline = ellipse(place, side * cell.offset, (*cell.stretch)[0] * radius,
+                                        (*cell.stretch)[1] * radius, -side * cell.angle.value_or(0.0));
+        const bool first = place == -2.75 * data.question.radius;
+        panel.series.push_back(drawn(outline, Mark::outline, 1, first ? "off the axis, in the nozzle" : ""));
         place += 0.8 * data.question.radius;
         above = !above;
     }
@@ -121,19 +122,17 @@ Panel scene_panel(const PictureData& data) {
         panel.series.push_back(segment(0.0, scene_behind * radius, side * radius));
     }
     panel.series.push_back(segment(scene_before * radius, scene_behind * radius, 0.0));
-    panel.series.push_back(drawn(bullet_outline(-1.35 * radius, data), Mark::outline, 0));
+    panel.series.push_back(
+        drawn(bullet_outline(-1.35 * radius, data), Mark::outline, 0, "on the axis, in the nozzle"));
     const AxisCellState& peak = peak_of(data.history);
     panel.series.push_back(
         drawn(ellipse(peak.position, 0.0, peak.axial_stretch * cell, peak.radial_stretch * cell),
-              Mark::outline, 2));
+              Mark::outline, 2, "at its largest load"));
     const AxisCellState& after = state_at(data.history, 3.4 * radius);
     panel.series.push_back(
         drawn(ellipse(after.position, 0.0, after.axial_stretch * cell, after.radial_stretch * cell),
-              Mark::outline, 3));
+              Mark::outline, 3, "in the strand"));
     add_off_axis(data, panel);
-    const double below = -1.35 * cell * peak.radial_stretch - 0.06 * radius;
-    panel.labels = {{.x = peak.position, .y = below, .text = "largest load", .anchor = Anchor::centre},
-                    {.x = after.position, .y = below, .text = "in the strand", .anchor = Anchor::centre}};
     return panel;
 }
 
@@ -162,11 +161,12 @@ Panel outline_panel(const PictureData& data) {
 Picture cell_picture(const PictureData& data) {
     return {.name = "cell",
             .title = picture_title(data),
+            .subtitle = picture_subtitle(data),
             .caption =
                 "Nozzle and strand in section with the cells to scale: on the axis in the nozzle, at its "
                 "largest load and in the strand; off the axis tank-treading, alternately above and below. "
                 "Below it the outlines of the centred cell on top of each other.",
-            .rows = {{.panels = {scene_panel(data)}, .height = 380},
+            .rows = {{.panels = {scene_panel(data)}, .height = 400},
                      {.panels = {outline_panel(data)}, .height = 460}}};
 }
 

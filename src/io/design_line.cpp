@@ -24,6 +24,28 @@ double narrowest(const Case& asked) {
     return room * (1.0 + 1e-9);
 }
 
+/// True when the limits ask of cells only for the one nearest to the axis at the exit.
+bool one_cell_is_enough(const std::vector<Check>& limits) {
+    return std::none_of(limits.begin(), limits.end(), [](const Check& limit) {
+        return limit.path.starts_with("passages.") ||
+               (limit.path.starts_with("cells.") && !limit.path.starts_with("cells.exit."));
+    });
+}
+
+/// The others take most of the time of a prediction.
+void keep_nearest_position(Case& asked) {
+    if (asked.positions.empty()) {
+        asked.positions = {{.value = 0.0}};  // the usual ones begin on the axis
+        return;
+    }
+    const auto offset = [&](const CellPosition& p) {
+        return p.in_cell_radii ? p.value * asked.cell.radius : p.value;
+    };
+    asked.positions = {
+        *std::min_element(asked.positions.begin(), asked.positions.end(),
+                          [&](const auto& a, const auto& b) { return offset(a) < offset(b); })};
+}
+
 }  // namespace
 
 DesignLine::DesignLine(const DesignQuestion& question, const Settings& base)
@@ -72,6 +94,7 @@ DesignLine::Point DesignLine::predicted(double value) const {
     asked.transient = asked.transient && cells_;
     asked.population = population_;
     asked.profile_points = 0;
+    if (one_cell_is_enough(question_.limits)) keep_nearest_position(asked);
     Point point;
     try {
         const Json answer = answer_object(predict(asked));

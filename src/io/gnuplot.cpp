@@ -136,6 +136,20 @@ std::string with_own_ids(std::string_view svg, std::string_view prefix) {
     return out;
 }
 
+/// A terminal's picture without the blanks at the ends of its lines, and without a form feed between two panels.
+std::string tidy_lines(std::string_view text) {
+    std::string out;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        std::string_view line = text.substr(0, end);
+        while (!line.empty() && (line.back() == ' ' || line.back() == '\f')) line.remove_suffix(1);
+        if (!line.empty() || !(out.empty() || out.ends_with("\n\n"))) out.append(line).append("\n");
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    while (out.ends_with("\n\n")) out.pop_back();
+    return out;
+}
+
 }  // namespace
 
 bool gnuplot_installed() {
@@ -162,6 +176,7 @@ std::string draw(const Picture& picture, Canvas canvas, const CanvasSize& size) 
         throw DataError("gnuplot could not draw the picture" + (reason.empty() ? "" : ": " + reason) +
                         "; is it gnuplot 5.4 or newer?");
     }
+    if (canvas == Canvas::terminal) return tidy_lines(outcome.out);
     return canvas == Canvas::svg ? with_own_ids(outcome.out, picture.name) : std::move(outcome.out);
 }
 

@@ -4,8 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "bioprint/io/number_format.hpp"
-#include "io/text.hpp"
+#include "io/axis_script.hpp"
 
 namespace bioprint {
 namespace {
@@ -19,109 +18,49 @@ constexpr std::array<LineStyle, 6> styles = {{{"#000000", "solid", 7},
                                               {"#9ad3f5", "solid", 6}}};
 constexpr std::string_view grey = "#8a8a8a";
 constexpr int title_height = 34;
-constexpr std::size_t narrow_key = 14;  ///< bytes of a key entry that leave room for a second column
+constexpr int subtitle_height = 22;
+constexpr double letter_width = 7.4;   ///< [px]
+constexpr double key_sample = 62.0;    ///< of a key entry beside its text [px]
+constexpr double panel_margin = 90.0;  ///< left and right of a panel [px]
+constexpr double key_line = 1.1;       ///< character heights
 
-/// A gnuplot string that means `text` and nothing else: in single quotes nothing but the quote itself is
-/// special. Control characters and bytes that are no UTF-8 would break an SVG and are left out.
 std::string quoted(std::string_view text) {
-    std::string out = "'";
-    while (!text.empty()) {
-        const std::size_t length = utf8_length(text);
-        const auto byte = static_cast<unsigned char>(text.front());
-        if (length == 0 || (length == 1 && (byte < 0x20 || byte == 0x7F))) {
-            out += length == 0 ? "\xEF\xBF\xBD" : " ";
-        } else {
-            out += text.substr(0, length);
-            if (byte == '\'') out += '\'';
-        }
-        text.remove_prefix(std::max<std::size_t>(length, 1));
-    }
-    return out + "'";
+    return gnuplot_text(text);
 }
 
 std::string num(double value) {
-    return format_shortest(value);
+    return gnuplot_number(value);
 }
 
-struct Extent {
-    double low = 0.0;
-    double high = 0.0;
-    bool empty = true;
-    void add(double value) {
-        if (!std::isfinite(value)) return;
-        low = empty ? value : std::min(low, value);
-        high = empty ? value : std::max(high, value);
-        empty = false;
-    }
-    [[nodiscard]] double magnitude() const { return std::max(std::abs(low), std::abs(high)); }
-};
-
-Extent extent_of(const Panel& panel, bool of_x) {
-    Extent extent;
-    for (const Series& series : panel.series) {
-        for (const double value : of_x ? series.x : series.y) extent.add(value);
-    }
-    const Axis& axis = of_x ? panel.x : panel.y;
-    if (axis.min) extent.add(*axis.min);
-    if (axis.max) extent.add(*axis.max);
-    return extent;
+double width_of(std::string_view text) {
+    return static_cast<double>(std::count_if(
+        text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
-/// How numbers of an axis are written: divided by a lab unit that stands in the title.
-struct Scale {
-    double unit = 1.0;
-    std::string title;
-    double operator()(double value) const { return value / unit; }
-};
-
-Scale scale_of(const Axis& axis, const Extent& extent) {
-    if (!axis.dimension || *axis.dimension == Dimension::dimensionless) return {1.0, axis.title};
-    // Over decades the middle one is read, not the highest.
-    const bool decades = axis.logarithmic && extent.low > 0.0;
-    const double read = decades ? std::sqrt(extent.low * extent.high) : extent.magnitude();
-    const LabUnit& unit = choose_lab_unit(read, *axis.dimension);
-    return {unit.in_si, axis.title + " [" + std::string(unit.name) + "]"};
-}
-
-std::string range_of(const Axis& axis, const Scale& scale, const Extent& extent) {
-    const auto bound = [&](const std::optional<double>& value) { return value ? num(scale(*value)) : "*"; };
-    std::string low = bound(axis.min);
-    // A linear axis shows its zero, so that heights can be compared.
-    if (!axis.min && !axis.logarithmic && extent.low >= 0.0 && !extent.empty) low = "0";
-    std::string high = bound(axis.max);
-    if (!axis.max && extent.high <= 0.0 && !axis.logarithmic) high = "1";
-    return "[" + low + ":" + high + "]";
-}
-
-std::string axis_commands(std::string_view name, const Axis& axis, const Scale& scale, const Extent& extent) {
-    const std::string n(name);
-    std::string out = "set " + n + "label " + quoted(scale.title) + "\n";
-    out += (axis.logarithmic ? "set logscale " : "unset logscale ") + n + "\n";
-    out += "set " + n + "range " + range_of(axis, scale, extent) + "\n";
-    if (axis.names.empty()) return out + "set " + n + "tics nomirror autofreq\n";
-    std::string tics;
-    for (const auto& [value, text] : axis.names) {
-        tics += (tics.empty() ? "" : ", ") + quoted(text) + " " + num(scale(value));
-    }
-    return out + "set " + n + "tics nomirror (" + tics + ")\n";
+/// A bar that ends where a number ends that does not exist is none.
+bool has_bars(const Series& series) {
+    return series.low.size() == series.x.size() && series.high.size() == series.x.size() && !series.x.empty();
 }
 
 std::string data_block(const Series& series, const Scale& x, const Scale& y, std::size_t number) {
     std::string out = "$data" + std::to_string(number) + " << END\n";
-    for (std::size_t i = 0; i < series.x.size(); ++i) {
+    for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
         if (!std::isfinite(series.x[i]) || !std::isfinite(series.y[i])) {
             out += "\n";
             continue;
         }
         out += num(x(series.x[i])) + " " + num(y(series.y[i]));
-        if (!series.error.empty()) out += " " + num(y(series.error[i]));
+        if (has_bars(series)) {
+            const auto end = [&](double value) { return num(y(std::isfinite(value) ? value : series.y[i])); };
+            out += " " + end(series.low[i]) + " " + end(series.high[i]);
+        }
         out += "\n";
     }
     return out + "END\n";
 }
 
 bool drawable(const Series& series) {
-    for (std::size_t i = 0; i < series.x.size(); ++i) {
+    for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
         if (std::isfinite(series.x[i]) && std::isfinite(series.y[i])) return true;
     }
     return false;
@@ -133,15 +72,20 @@ std::string looks(const Series& series) {
     const std::string color = "lc rgb '" + std::string(style.color) + "'";
     const std::string dash = " dt " + std::string(style.dash);
     const std::string point = " pt " + std::to_string(style.point) + " ps 0.9";
+    if (has_bars(series) && series.mark != Mark::band) return "with yerrorbars " + color + " lw 1.6" + point;
     switch (series.mark) {
         case Mark::line:
             return "with lines " + color + " lw 2.2" + dash;
         case Mark::line_points:
             return "with linespoints " + color + " lw 2.2" + dash + point;
         case Mark::points:
-            return (series.error.empty() ? "with points " : "with yerrorbars ") + color + " lw 1.6" + point;
+            return "with points " + color + " lw 1.6" + point;
+        case Mark::crosses:
+            return "with points lc rgb '" + std::string(grey) + "' lw 1.4 pt 2 ps 0.8";
+        case Mark::band:
+            return "using 1:3:4 with filledcurves " + color + " fs transparent solid 0.18 noborder";
         case Mark::outline:
-            return "with filledcurves closed " + color + " lw 2" + dash +
+            return "with filledcurves closed " + color + " lw 2 dt solid" +
                    " fs transparent solid 0.12 border lc rgb '" + std::string(style.color) + "'";
         case Mark::faint:
             return "with lines lc rgb '" + std::string(grey) + "' lw 1.1 dt solid";
@@ -160,9 +104,11 @@ double font_size(Canvas canvas, double pixels) {
 
 class PanelScript {
   public:
-    PanelScript(const Panel& panel, Canvas canvas)
+    /// @param width  [px]
+    PanelScript(const Panel& panel, Canvas canvas, double width)
         : panel_(panel),
           canvas_(canvas),
+          width_(width),
           x_extent_(extent_of(panel, true)),
           y_extent_(extent_of(panel, false)),
           x_(scale_of(panel.x, x_extent_)),
@@ -184,16 +130,30 @@ class PanelScript {
         std::string out = "unset label\nunset arrow\nunset object\n" + head(lines);
         out += axis_commands("x", panel_.x, x_, x_extent_) + axis_commands("y", panel_.y, y_, y_extent_);
         out += panel_.one_scale ? "set size ratio -1\n" : "set size noratio\n";
+        // A point on the border would be cut in two by the eye.
+        const bool room = y_extent_.has_points && !panel_.y.logarithmic;
+        out += room ? "set offsets graph 0, 0, 0.05, 0\n" : "unset offsets\n";
         out += marks();
         std::string plot;
         std::string blocks;
         for (std::size_t i = 0; i < panel_.series.size(); ++i) {
             const Series& series = panel_.series[i];
             if (!drawable(series)) continue;
+            // Letters in place of a light tint hide the curves.
+            if (canvas_ == Canvas::terminal && series.mark == Mark::band) continue;
             blocks += data_block(series, x_, y_, i);
-            plot += (plot.empty() ? "plot " : ", \\\n     ") + std::string("$data") + std::to_string(i) +
-                    " " + looks(series) +
-                    (series.title.empty() ? " notitle" : " title " + quoted(series.title));
+            const auto add = [&](const std::string& how, const std::string& title) {
+                plot += (plot.empty() ? "plot " : ", \\\n     ") + std::string("$data") + std::to_string(i) +
+                        " " + how + (title.empty() ? " notitle" : " title " + quoted(title));
+            };
+            // A bar is drawn through even where the line it stands on is dashed.
+            if (has_bars(series) && (series.mark == Mark::line || series.mark == Mark::line_points)) {
+                Series line = series;
+                line.low.clear();
+                line.mark = Mark::line;
+                add(looks(line), "");
+            }
+            add(looks(series), series.title);
         }
         return out + blocks + (plot.empty() ? "plot [0:1] [0:1] NaN notitle" : plot) + "\n";
     }
@@ -207,26 +167,31 @@ class PanelScript {
         return found;
     }
 
+    /// As many entries beside each other as there is room for.
     [[nodiscard]] int key_columns() const {
-        const std::vector<std::string_view> entries = titles();
-        const bool wide = std::any_of(entries.begin(), entries.end(),
-                                      [](std::string_view text) { return text.size() > narrow_key; });
-        return wide || canvas_ == Canvas::terminal ? 1 : 2;
+        if (canvas_ == Canvas::terminal) return 1;
+        double widest = 0.0;
+        for (const std::string_view text : titles()) widest = std::max(widest, width_of(text));
+        constexpr int most = 4;
+        return std::clamp(static_cast<int>((width_ - panel_margin) / (key_sample + letter_width * widest)), 1,
+                          most);
     }
 
     /// Title and key above the panel, where they hide nothing.
     [[nodiscard]] std::string head(int lines) const {
         if (canvas_ == Canvas::terminal) {
-            return "set title " + quoted(panel_.title) + "\n" +
+            // Characters have no turned axis title; the unit must not get lost with it.
+            const std::string title = panel_.title + (panel_.title.empty() ? "" : ": ") + y_.title;
+            return "set title " + quoted(title) + "\n" +
                    (titles().empty() ? "unset key\n"
                                      : "set key tmargin left Left reverse samplen 3 maxcols 1\n");
         }
-        constexpr double line = 1.1;  // character heights
-        const double margin = line * lines + (panel_.title.empty() ? 1.0 : 2.4);
-        std::string out = "set tmargin " + num(margin) + "\n";
+        const double title = panel_.title.empty() ? 1.0 : 2.4;
+        std::string out = "set tmargin " + num(key_line * lines + title) + "\n";
         if (!panel_.title.empty()) {
             out += "set label " + quoted(panel_.title) + " at graph 0, graph 1 offset 0," +
-                   num(margin - 1.0) + " left font '," + num(font_size(canvas_, 14.0)) + "'\n";
+                   num(key_line * key_lines() + title - 1.0) + " left font '," +
+                   num(font_size(canvas_, 14.0)) + "'\n";
         }
         if (titles().empty()) return out + "unset key\n";
         return out +
@@ -241,6 +206,7 @@ class PanelScript {
                    ", graph 1 nohead lc rgb '" + std::string(grey) + "' lw 1 dt solid back\n";
         }
         for (const Circle& circle : panel_.circles) {
+            if (canvas_ == Canvas::terminal) break;  // letters in place of a light tint hide the curve
             out += "set object circle at first " + num(x_(circle.x)) + ", graph " + num(circle.height) +
                    " size first " + num(x_(circle.radius)) + " fs transparent solid 0.12 border lc rgb '" +
                    std::string(styles[2].color) + "' fc rgb '" + std::string(styles[2].color) + "' back\n";
@@ -257,14 +223,20 @@ class PanelScript {
 
     const Panel& panel_;
     Canvas canvas_;
+    double width_;
     Extent x_extent_;
     Extent y_extent_;
     Scale x_;
     Scale y_;
 };
 
+int head_height(const Picture& picture) {
+    if (picture.title.empty()) return 0;
+    return title_height + (picture.subtitle.empty() ? 0 : subtitle_height);
+}
+
 int height_of(const Picture& picture) {
-    int height = picture.title.empty() ? 0 : title_height;
+    int height = head_height(picture);
     for (const PictureRow& row : picture.rows) height += row.height;
     return height;
 }
@@ -307,25 +279,33 @@ std::string gnuplot_script(const Picture& picture, Canvas canvas, const CanvasSi
             "set grid xtics ytics lc rgb '#e4e4e4' lw 0.8 dt solid\n"
             "set style fill transparent solid 0.12\nset multiplot\n";
         if (!picture.title.empty()) {
-            out += "set label 1 " + quoted(picture.title) + " at screen 0.012, screen " +
-                   num(1.0 - 0.55 * title_height / height_of(picture)) + " left font '," +
-                   num(font_size(canvas, 15.0)) +
-                   "'\nset origin 0,0\nset size 1,1\nunset border\nunset tics\n"
-                   "unset key\nplot [0:1] [0:1] NaN notitle\nunset label 1\nset border 3\n"
-                   "set tics nomirror out scale 0.6\n";
+            const auto line = [&](const char* number, const std::string& text, double below, double pixels) {
+                return "set label " + std::string(number) + " " + quoted(text) + " at screen 0.012, screen " +
+                       num(1.0 - below / height_of(picture)) + " left font '," +
+                       num(font_size(canvas, pixels)) + "' tc rgb '#222222'\n";
+            };
+            out += line("1", picture.title, 0.55 * title_height, 15.0);
+            if (!picture.subtitle.empty()) {
+                out += line("2", picture.subtitle, title_height + 0.35 * subtitle_height, 12.5);
+            }
+            out +=
+                "set origin 0,0\nset size 1,1\nunset border\nunset tics\n"
+                "unset key\nplot [0:1] [0:1] NaN notitle\nunset label\nset border 3\n"
+                "set tics nomirror out scale 0.6\n";
         }
     }
     const double total = height_of(picture);
-    double below = total - (picture.title.empty() ? 0.0 : title_height);
+    double below = total - head_height(picture);
     for (const PictureRow& row : picture.rows) {
         below -= row.height;
         const double width = 1.0 / static_cast<double>(row.panels.size());
         int key_lines = 0;
         for (const Panel& panel : row.panels) {
-            key_lines = std::max(key_lines, PanelScript(panel, canvas).key_lines());
+            key_lines = std::max(key_lines, PanelScript(panel, canvas, width * picture_width).key_lines());
         }
         for (std::size_t i = 0; i < row.panels.size(); ++i) {
-            const std::string panel = PanelScript(row.panels[i], canvas).text(key_lines);
+            const std::string panel =
+                PanelScript(row.panels[i], canvas, width * picture_width).text(key_lines);
             if (!terminal) {
                 out += "set origin " + num(width * static_cast<double>(i)) + "," + num(below / total) +
                        "\nset size " + num(width) + "," + num(row.height / total) + "\n";

@@ -29,14 +29,17 @@ enum class Mark {
     outline,  ///< a closed curve, lightly filled
     faint,    ///< a thin grey line: what one compares with
     wall,     ///< a closed curve, filled grey
+    crosses,  ///< grey: points left out
+    band,     ///< light, from low to high
 };
 
 struct Series {
     std::string title = {};  ///< in the key; empty: not there
     std::vector<double> x = {};
-    std::vector<double> y = {};      ///< not finite: a gap
-    std::vector<double> error = {};  ///< half the length of a bar in y; empty: none
-    int style = 0;                   ///< of house_styles()
+    std::vector<double> y = {};     ///< not finite: a gap
+    std::vector<double> low = {};   ///< where a bar at y begins, or a band; empty: none
+    std::vector<double> high = {};  ///< and ends
+    int style = 0;                  ///< of house_styles()
     Mark mark = Mark::line;
 };
 
@@ -81,9 +84,10 @@ struct PictureRow {
 };
 
 struct Picture {
-    std::string name;     ///< of its kind, "exit"
-    std::string title;    ///< what was asked
-    std::string caption;  ///< what is seen, in a sentence or two
+    std::string name;      ///< of its kind, "exit"
+    std::string title;     ///< what was asked
+    std::string subtitle;  ///< and more of it, smaller; may be empty
+    std::string caption;   ///< what is seen, in a sentence or two
     std::vector<PictureRow> rows;
 };
 

@@ -1,32 +1,16 @@
 #include "io/pictures.hpp"
 
-#include <sys/ioctl.h>
-#include <unistd.h>
-
-#include <algorithm>
-
 #include "bioprint/errors.hpp"
 #include "io/gnuplot.hpp"
 #include "io/parallel.hpp"
 #include "io/prediction_pictures.hpp"
 #include "io/report.hpp"
 #include "io/row_answer.hpp"
-#include "io/simulated_answer.hpp"
 #include "io/simulation_picture.hpp"
 #include "io/sweep_picture.hpp"
 
 namespace bioprint {
 namespace {
-
-/// What a picture in the terminal has room for.
-CanvasSize canvas_size() {
-    CanvasSize size;
-    winsize window{};
-    if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &window) == 0 && window.ws_col >= 40 && window.ws_row >= 16) {
-        size = {.columns = std::min<int>(window.ws_col - 1, 132), .lines = std::min(window.ws_row - 2, 32)};
-    }
-    return size;
-}
 
 void require_reportable(const Sweep& sweep) {
     if (sweep.size() <= most_report_rows) return;
@@ -36,22 +20,26 @@ void require_reportable(const Sweep& sweep) {
                      "--report");
 }
 
-Json rows_of(const Sweep& sweep, unsigned jobs) {
+Json rows_of(const Sweep& sweep, const RunOptions& options) {
     std::vector<Json> rows(sweep.size());
-    for_each_index(rows.size(), jobs,
-                   [&](std::size_t i) { rows[i] = answer_row([&] { return sweep.row(i); }).object; });
+    for_each_index(rows.size(), options.jobs, [&](std::size_t i) {
+        rows[i] = answer_row([&] { return sweep.row(i); }, options.extras).object;
+    });
     Json array = Json::array();
     for (Json& row : rows) array.push_back(std::move(row));
     return array;
 }
 
 std::string page(const std::vector<std::string>& call, Json answer, const std::vector<Picture>& pictures,
-                 bool can_draw) {
-    Report report{.call = call, .answer = std::move(answer), .figures = {}, .no_figures = {}};
+                 bool can_draw, unsigned jobs) {
+    Report report{.call = call,
+                  .answer = std::move(answer),
+                  .figures = std::vector<ReportFigure>(pictures.size()),
+                  .no_figures = {}};
     if (!can_draw) report.no_figures = "There are no pictures here, because gnuplot was not installed.";
-    for (const Picture& picture : pictures) {
-        report.figures.push_back({.caption = picture.caption, .svg = bioprint::draw(picture, Canvas::svg)});
-    }
+    for_each_index(pictures.size(), jobs, [&](std::size_t i) {
+        report.figures[i] = {.caption = pictures[i].caption, .svg = bioprint::draw(pictures[i], Canvas::svg)};
+    });
     return report_html(report);
 }
 
@@ -72,42 +60,49 @@ Pictures::Pictures(PicturesQuestion question, const Sweep& sweep, const Sink& no
     }
 }
 
-void Pictures::draw(const RunOptions& options) {
+void Pictures::draw(RunOptions& options) {
+    if (nothing_asked()) return;
+    if (!sweep_.swept().empty()) return draw_sweep(options);
+    options.seen = [this, options](const Json& answer) { draw_question(options, answer); };
+}
+
+void Pictures::draw_sweep(const RunOptions& options) {
+    std::vector<Picture> pictures;
+    if (can_draw_) pictures = {sweep_picture(sweep_, options)};
+    if (question_.plot) plot(picture_of(question_.plot->kind, pictures.front()));
+    if (!question_.report) return;
+    report_ = page(question_.call, rows_of(sweep_, options), pictures, can_draw_, options.jobs);
+}
+
+void Pictures::draw_question(const RunOptions& options, const Json& answer) {
+    const Case question = sweep_.fixed().make_case();
     if (question_.plot) {
-        plot(picture_of(question_.plot->kind, sweep_, options, checked_canvas(*question_.plot)));
+        const PictureData data = picture_data(question, answer);
+        plot(picture_of(question_.plot->kind, data, options.jobs, checked_canvas(*question_.plot)));
     }
     if (!question_.report) return;
     std::vector<Picture> pictures;
-    if (!sweep_.swept().empty()) {
-        if (can_draw_) pictures = {sweep_picture(sweep_, options.paths, options.jobs)};
-        report_ = page(question_.call, rows_of(sweep_, options.jobs), pictures, can_draw_);
-        return;
-    }
-    const Case question = sweep_.fixed().make_case();
-    const Prediction prediction = predict(question);
-    if (can_draw_ && prediction.nozzle.velocity_average > 0.0) {
-        const PictureData data = picture_data(question);
+    if (can_draw_ && answer.at("nozzle").at("velocity_average").get<double>() > 0.0) {
+        const PictureData data = picture_data(question, answer);
         pictures = {cell_picture(data), exit_picture(data), profile_picture(data),
                     nomogram_picture(data, options.jobs)};
     }
-    report_ = page(question_.call, answer_object(prediction), pictures, can_draw_);
+    report_ = page(question_.call, answer, pictures, can_draw_, options.jobs);
 }
 
-void Pictures::draw(const Prediction& prediction, const Comparison& comparison,
-                    const SimulationQuestion& simulation) {
+void Pictures::draw(const Prediction& prediction, const Comparison& comparison, const Json& answer) {
     if (nothing_asked()) return;
-    const PictureData data = picture_data(prediction.question);
+    const PictureData data = picture_data(prediction.question, answer);
     const Picture course = simulation_picture(data, comparison);
     if (question_.plot) plot(course);
     if (!question_.report) return;
     std::vector<Picture> pictures;
     if (can_draw_) pictures = {course, cell_picture(data), exit_picture(data), profile_picture(data)};
-    report_ = page(question_.call, simulated_answer_object(prediction, comparison, simulation), pictures,
-                   can_draw_);
+    report_ = page(question_.call, answer, pictures, can_draw_, 2);
 }
 
 void Pictures::plot(const Picture& picture) {
-    plot_ = bioprint::draw(picture, checked_canvas(*question_.plot), canvas_size());
+    plot_ = bioprint::draw(picture, checked_canvas(*question_.plot), terminal_size());
 }
 
 void Pictures::commit() {

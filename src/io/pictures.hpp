@@ -4,10 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "bioprint/predict/comparison.hpp"
+#include "io/answer_object.hpp"
 #include "io/picture.hpp"
 #include "io/plot.hpp"
 #include "io/run.hpp"
-#include "io/simulation_answer.hpp"
 #include "io/whole_file.hpp"
 
 /// `--plot` and `--report`: made when their data are known, put in their places after the answer.
@@ -27,16 +28,18 @@ class Pictures {
     /// @throws UsageError  more rows than a report holds
     Pictures(PicturesQuestion question, const Sweep& sweep, const Sink& notice);
 
-    /// Makes what was asked for of the question or sweep.
-    void draw(const RunOptions& options);
+    /// Makes what was asked for of a sweep; of a question when `options.seen` gets its answer.
+    void draw(RunOptions& options);
     /// The same of a question with its simulation.
-    void draw(const Prediction& prediction, const Comparison& comparison,
-              const SimulationQuestion& simulation);
+    /// @param answer  with the simulation in it
+    void draw(const Prediction& prediction, const Comparison& comparison, const Json& answer);
     /// Writes them.
     void commit();
 
   private:
     [[nodiscard]] bool nothing_asked() const { return !question_.plot && !question_.report; }
+    void draw_sweep(const RunOptions& options);
+    void draw_question(const RunOptions& options, const Json& answer);
     void plot(const Picture& picture);
 
     PicturesQuestion question_;

@@ -1,11 +1,12 @@
 #include "io/plot.hpp"
 
+#include <sys/ioctl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 
 #include "bioprint/errors.hpp"
-#include "io/prediction_pictures.hpp"
-#include "io/sweep_picture.hpp"
 #include "io/text.hpp"
 
 namespace bioprint {
@@ -35,27 +36,34 @@ Canvas checked_canvas(const PlotQuestion& plot) {
                      "--plot");
 }
 
-Picture picture_of(const std::string& kind, const Sweep& sweep, const RunOptions& options, Canvas canvas) {
-    if (!sweep.swept().empty()) {
-        if (kind != "auto") {
-            throw UsageError(
-                "--plot-kind: a sweep has a picture of its own; leave out " + kind + ", or ask for one value",
-                "--plot-kind");
-        }
-        return sweep_picture(sweep, options.paths, options.jobs);
+CanvasSize terminal_size() {
+    CanvasSize size;
+    winsize window{};
+    if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &window) == 0 && window.ws_col >= 40 && window.ws_row >= 16) {
+        size = {.columns = std::min<int>(window.ws_col - 1, 132), .lines = std::min(window.ws_row - 2, 32)};
     }
-    const Case question = sweep.fixed().make_case();
-    const PictureData data = picture_data(question);
+    return size;
+}
+
+Picture picture_of(const std::string& kind, Picture sweep) {
+    if (kind == "auto") return sweep;
+    throw UsageError(
+        "--plot-kind: a sweep has a picture of its own; leave out " + kind + ", or ask for one value",
+        "--plot-kind");
+}
+
+Picture picture_of(const std::string& kind, const PictureData& data, unsigned jobs, Canvas canvas) {
     std::string chosen = kind;
     if (kind == "auto") {
         // A page of small panels is for paper; a terminal shows what matters most.
-        chosen = question.profile_points > 0 ? "profile" : canvas == Canvas::terminal ? "exit" : "overview";
+        const bool profile = data.answer.is_object() && data.answer.contains("profile");
+        chosen = profile ? "profile" : canvas == Canvas::terminal ? "exit" : "overview";
     }
     if (chosen == "profile") return profile_picture(data);
     if (chosen == "exit") return exit_picture(data);
     if (chosen == "cell") return cell_picture(data);
-    if (chosen == "nomogram") return nomogram_picture(data, options.jobs);
-    return overview_picture(data, options.jobs);
+    if (chosen == "nomogram") return nomogram_picture(data, jobs);
+    return overview_picture(data, jobs);
 }
 
 }  // namespace bioprint

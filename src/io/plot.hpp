@@ -4,8 +4,7 @@
 #include <string_view>
 
 #include "io/gnuplot_script.hpp"
-#include "io/run.hpp"
-#include "io/sweep.hpp"
+#include "io/prediction_pictures.hpp"
 
 /// `--plot`: which picture a question gets, and its bytes.
 namespace bioprint {
@@ -21,8 +20,13 @@ std::string_view plot_kinds();
 /// @throws UsageError  the file's ending is not one of svg, png, pdf, or the kind is not known
 Canvas checked_canvas(const PlotQuestion& plot);
 
-/// The picture of a question or sweep.
-/// @throws UsageError  the kind does not fit the question
-Picture picture_of(const std::string& kind, const Sweep& sweep, const RunOptions& options, Canvas canvas);
+/// What a picture in the terminal has room for.
+CanvasSize terminal_size();
+
+/// The picture of a sweep, which is of one kind.
+/// @throws UsageError  another kind is asked for
+Picture picture_of(const std::string& kind, Picture sweep);
+/// That of a question.
+Picture picture_of(const std::string& kind, const PictureData& data, unsigned jobs, Canvas canvas);
 
 }  // namespace bioprint

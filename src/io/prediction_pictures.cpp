@@ -7,11 +7,14 @@
 #include "bioprint/errors.hpp"
 #include "bioprint/io/number_format.hpp"
 #include "io/exit_history.hpp"
+#include "io/ink_text.hpp"
+#include "io/uncertainty.hpp"
 
 namespace bioprint {
 namespace {
 
 constexpr int profile_points = 121;
+constexpr const char* spread_words = ", 5 to 95 %";
 
 std::string lab(double value, Dimension dimension, int digits = 3) {
     const LabNumber n = format_lab(value, dimension, digits);
@@ -22,25 +25,10 @@ Series curve(std::string title, const std::vector<double>& x, const std::vector<
     return {.title = std::move(title), .x = x, .y = y, .style = style};
 }
 
-/// The cells in the nozzle; of one that was carried in time, not its steady estimate as well.
-std::vector<CellAnswer> cells_in_nozzle(const PictureData& data) {
-    const std::vector<CellAnswer>& all = data.prediction.cells;
-    std::vector<CellAnswer> cells;
-    for (const CellAnswer& cell : all) {
-        if (cell.place != Place::nozzle) continue;
-        const bool carried = std::any_of(all.begin(), all.end(), [&](const CellAnswer& other) {
-            return other.place == Place::nozzle && other.model == Model::ellipsoid &&
-                   other.offset == cell.offset;
-        });
-        if (cell.model == Model::ellipsoid || !carried) cells.push_back(cell);
-    }
-    return cells;
-}
-
 /// Cells where the answer has them, undeformed, in two rows so that neighbours do not hide each other.
 std::vector<Circle> cells_to_scale(const PictureData& data) {
     std::vector<Circle> circles;
-    for (const CellAnswer& cell : cells_in_nozzle(data)) {
+    for (const auto& [index, cell] : cells_in_nozzle(data)) {
         const double height = circles.size() % 2 == 0 ? 0.2 : 0.44;
         circles.push_back({.x = cell.offset, .height = height, .radius = data.question.cell.radius});
     }
@@ -62,11 +50,12 @@ Panel velocity_panel(const PictureData& data) {
 Panel stress_panel(const PictureData& data) {
     const RadialProfile& profile = *data.prediction.profile;
     Series cells{.title = "cell (von Mises)", .style = 2, .mark = Mark::points};
-    for (const CellAnswer& cell : cells_in_nozzle(data)) {
+    for (const auto& [index, cell] : cells_in_nozzle(data)) {
         if (!cell.stress) continue;
-        cells.x.push_back(cell.offset);
-        cells.y.push_back(cell.stress->von_mises);
+        add_point(cells, data, "cells." + std::to_string(index) + ".stress.von_mises", cell.offset,
+                  cell.stress->von_mises);
     }
+    if (!cells.low.empty()) cells.title += spread_words;
     return {.title = "Stress in the nozzle",
             .x = {.title = "distance from the axis",
                   .dimension = Dimension::length,
@@ -94,6 +83,24 @@ std::vector<double> column(const std::vector<AxisCellState>& states, Member memb
     std::vector<double> values;
     for (const AxisCellState& state : states) values.push_back(state.*member);
     return values;
+}
+
+const AxisCellState& peak_of(const std::vector<AxisCellState>& history) {
+    return *std::max_element(history.begin(), history.end(),
+                             [](const auto& a, const auto& b) { return a.von_mises < b.von_mises; });
+}
+
+/// The centred cell at its largest stress, with the spread of a number of its; nothing without a spread.
+void add_peak_bar(Panel& panel, const PictureData& data, const std::string& number, double y, int style) {
+    const std::vector<CellAnswer>& cells = data.prediction.cells;
+    const auto carried = std::find_if(cells.begin(), cells.end(), [](const CellAnswer& cell) {
+        return cell.place == Place::exit && cell.model == Model::ellipsoid && cell.offset == 0.0;
+    });
+    if (carried == cells.end()) return;
+    Series bar{.title = std::string("largest") + spread_words, .style = style, .mark = Mark::points};
+    add_point(bar, data, "cells." + std::to_string(carried - cells.begin()) + "." + number,
+              peak_of(data.history).position, y);
+    if (!bar.low.empty()) panel.series.push_back(std::move(bar));
 }
 
 const CellAnswer* steady_exit(const Prediction& prediction) {
@@ -128,6 +135,7 @@ Panel exit_stress_panel(const PictureData& data) {
     }
     const double ink = data.prediction.exit.elongational_stress;
     panel.series.push_back(curve("ink, steady estimate", span, {ink, ink}, 3));
+    add_peak_bar(panel, data, "stress.von_mises", peak_of(data.history).von_mises, 0);
     return panel;
 }
 
@@ -136,33 +144,95 @@ Panel exit_stretch_panel(const PictureData& data) {
     const std::vector<double> x = column(shown, &AxisCellState::position);
     const std::vector<double> axial = column(shown, &AxisCellState::axial_stretch);
     const double least = *std::min_element(axial.begin(), axial.end());
-    return {.title = "Stretch of the cell",
-            .x = exit_axis(data),
-            .y = {.title = "length over length at rest", .min = std::floor(least * 5.0) / 5.0},
-            .series = {curve("along the axis (α1)", x, axial, 0),
-                       curve("across (α2, α3)", x, column(shown, &AxisCellState::radial_stretch), 1)},
-            .verticals = {0.0}};
+    Panel panel{.title = "Stretch of the cell",
+                .x = exit_axis(data),
+                .y = {.title = "length over length at rest", .min = std::floor(least * 5.0) / 5.0},
+                .series = {curve("along the axis (α1)", x, axial, 0),
+                           curve("across (α2, α3)", x, column(shown, &AxisCellState::radial_stretch), 1)},
+                .verticals = {0.0}};
+    add_peak_bar(panel, data, "stretch.0", peak_of(data.history).axial_stretch, 0);
+    return panel;
+}
+
+/// A viscosity without a bound at the axis is drawn over so many decades above that at the wall.
+constexpr double decades_of_viscosity = 4.0;
+constexpr double spread_wants_logarithm = 50.0;
+
+Panel viscosity_panel(const PictureData& data) {
+    const RadialProfile& profile = *data.prediction.profile;
+    std::vector<double> shown = profile.viscosity;
+    const double wall = data.prediction.nozzle.viscosity_wall;
+    double largest = 0.0;
+    for (double& value : shown) {
+        // A plug has no viscosity, and near one it grows without bound.
+        if (value > wall * std::pow(10.0, decades_of_viscosity))
+            value = std::numeric_limits<double>::quiet_NaN();
+        if (std::isfinite(value)) largest = std::max(largest, value);
+    }
+    return {.title = "Viscosity",
+            .x = {.title = "distance from the axis",
+                  .dimension = Dimension::length,
+                  .min = 0.0,
+                  .max = data.question.radius},
+            .y = {.title = "viscosity",
+                  .dimension = Dimension::viscosity,
+                  .logarithmic = wall > 0.0 && largest / wall >= spread_wants_logarithm},
+            .series = {curve("", profile.r, shown, 0)}};
 }
 
 }  // namespace
 
-PictureData picture_data(Case question) {
+std::vector<PlacedCell> cells_in_nozzle(const PictureData& data) {
+    const std::vector<CellAnswer>& all = data.prediction.cells;
+    std::vector<PlacedCell> cells;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (all[i].place != Place::nozzle) continue;
+        const bool carried = std::any_of(all.begin(), all.end(), [&](const CellAnswer& other) {
+            return other.place == Place::nozzle && other.model == Model::ellipsoid &&
+                   other.offset == all[i].offset;
+        });
+        if (all[i].model == Model::ellipsoid || !carried) cells.push_back({.index = i, .cell = all[i]});
+    }
+    return cells;
+}
+
+void add_point(Series& series, const PictureData& data, const std::string& path, double x, double y) {
+    series.x.push_back(x);
+    series.y.push_back(y);
+    const bool spread_asked = data.answer.is_object() && data.answer.contains("uncertainty");
+    if (!spread_asked) return;
+    const Json* const spread = spread_of(data.answer, path);
+    const auto end = [&](const char* name) {
+        return spread == nullptr ? std::numeric_limits<double>::quiet_NaN() : spread->at(name).get<double>();
+    };
+    series.low.push_back(end("percentile_5"));
+    series.high.push_back(end("percentile_95"));
+}
+
+PictureData picture_data(Case question, Json answer) {
     question.profile_points = profile_points;
     Prediction prediction = predict(question);
     if (prediction.nozzle.velocity_average <= 0.0) {
         throw UsageError("--plot: nothing flows; give a flow rate, velocity or pressure", "--plot");
     }
     std::vector<AxisCellState> history = exit_history(question, prediction);
-    return {
-        .question = std::move(question), .prediction = std::move(prediction), .history = std::move(history)};
+    return {.question = std::move(question),
+            .prediction = std::move(prediction),
+            .history = std::move(history),
+            .answer = std::move(answer)};
 }
 
 std::string picture_title(const PictureData& data) {
     const Case& question = data.question;
     const std::string radius = "R " + lab(question.radius, Dimension::length);
     const std::string nozzle = question.needle ? question.needle->name + " (" + radius + ")" : radius;
-    return nozzle + ", " + lab(data.prediction.nozzle.flow_rate, Dimension::volume_flow) + ", ink " +
-           question.ink.name + ", cell " + question.cell.name;
+    return nozzle + ", " + lab(data.prediction.nozzle.flow_rate, Dimension::volume_flow);
+}
+
+std::string picture_subtitle(const PictureData& data) {
+    const CellChoice& cell = data.question.cell;
+    return "ink " + data.question.ink.name + ": " + ink_text(data.question.ink.law) + "; cell " + cell.name +
+           ": R " + lab(cell.radius, Dimension::length) + ", " + lab(cell.shear_modulus, Dimension::pressure);
 }
 
 Picture profile_picture(const PictureData& data) {
@@ -179,17 +249,19 @@ Picture profile_picture(const PictureData& data) {
     };
     return {.name = "profile",
             .title = picture_title(data),
+            .subtitle = picture_subtitle(data),
             .caption =
                 "Velocity, stress, shear rate and viscosity of the ink from the axis to the wall of the "
                 "nozzle; the circles are the cells, undeformed and to scale with the axis below them.",
             .rows = {{.panels = {velocity_panel(data), stress_panel(data)}},
                      {.panels = {small("Shear rate", "shear rate", Dimension::rate, profile.shear_rate),
-                                 small("Viscosity", "viscosity", Dimension::viscosity, profile.viscosity)}}}};
+                                 viscosity_panel(data)}}}};
 }
 
 Picture exit_picture(const PictureData& data) {
     return {.name = "exit",
             .title = picture_title(data),
+            .subtitle = picture_subtitle(data),
             .caption =
                 "The centred cell on its way through the end of the nozzle (thin line): its stress and "
                 "stretch, carried in time, the stress of the ink on the axis, and the steady estimates "
@@ -202,6 +274,7 @@ Picture overview_picture(const PictureData& data, unsigned jobs) {
     Picture nomogram = nomogram_picture(data, jobs);
     return {.name = "overview",
             .title = picture_title(data),
+            .subtitle = picture_subtitle(data),
             .caption =
                 "Top: nozzle, strand and cells to scale. Middle: stress in the nozzle over the radius, and "
                 "through the exit along the axis. Bottom: the same ink and cell in other needles.",

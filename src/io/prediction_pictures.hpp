@@ -5,6 +5,7 @@
 
 #include "bioprint/cell/axis_passage.hpp"
 #include "bioprint/predict/prediction.hpp"
+#include "io/answer_object.hpp"
 #include "io/picture.hpp"
 
 /// The pictures of one question: what flows, what the cells bear, how they look.
@@ -15,13 +16,27 @@ struct PictureData {
     Case question;
     Prediction prediction;               ///< with a radial profile
     std::vector<AxisCellState> history;  ///< of the centred cell through the exit
+    Json answer = {};                    ///< with the spread of its numbers, where one was asked for
 };
 
+/// @param answer  to the question, with what was asked beyond it; null: without
 /// @throws UsageError  nothing flows, and what predict() throws
-PictureData picture_data(Case question);
+PictureData picture_data(Case question, Json answer = {});
 
-/// "27G steel (R 105 µm), 20 µL/min, alginate-2.5, cell reference": what a picture is of.
+/// "27G steel (R 105 µm), 20 µL/min": what a picture is of, and below it ink and cell.
 std::string picture_title(const PictureData& data);
+std::string picture_subtitle(const PictureData& data);
+
+/// The cells in the nozzle with their place in the answer; of one that was carried in time, not its steady estimate.
+struct PlacedCell {
+    std::size_t index;
+    CellAnswer cell;
+};
+std::vector<PlacedCell> cells_in_nozzle(const PictureData& data);
+
+/// Adds a point, with a bar over 5 to 95 % of its spread where it has one.
+/// @param path  of the number in the answer, "nozzle.stress_max"
+void add_point(Series& series, const PictureData& data, const std::string& path, double x, double y);
 
 /// Velocity, stress, rate and viscosity over the radius, cells to scale.
 Picture profile_picture(const PictureData& data);

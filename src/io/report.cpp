@@ -4,11 +4,13 @@
 #include <cmath>
 #include <numbers>
 #include <string_view>
+#include <tuple>
 
 #include "bioprint/io/answer.hpp"
 #include "bioprint/io/number_format.hpp"
 #include "io/html.hpp"
 #include "io/path_dimension.hpp"
+#include "io/report_extras.hpp"
 #include "io/report_sweep.hpp"
 #include "io/run_directory.hpp"
 #include "io/simulated_answer.hpp"
@@ -29,6 +31,7 @@ table { border-collapse: collapse; margin: .4em 0 1em; font-variant-numeric: tab
 th, td { text-align: right; padding: .18em .7em; border-bottom: 1px solid #e4e4e4; font-weight: normal; }
 th[scope=row] { text-align: left; } thead th { border-bottom: 1.5px solid #555; font-weight: 600; }
 table.pairs { display: inline-table; vertical-align: top; margin-right: 2em; }
+td { white-space: nowrap; } table.wide td { white-space: normal; }
 table.wide { font-size: 12.5px; } table.wide th, table.wide td { padding: .15em .45em; }
 p.source { color: #444; font-size: 13px; margin: .2em 0 .8em; overflow-wrap: anywhere; }
 figure { margin: 1em 0 1.6em; } figure svg { width: 100%; height: auto; } figcaption { font-size: 13px; color: #333; }
@@ -82,12 +85,31 @@ std::string number_or_dash(const Json& value, std::string_view path) {
     return value.is_number() ? spoken_value(value, path) : "–";
 }
 
+/// By place along the way and distance from the axis; the value carried in time before the steady one.
+std::vector<const Json*> cells_in_order(const Json& cells) {
+    std::vector<const Json*> order;
+    for (const Json& cell : cells) order.push_back(&cell);
+    const auto key = [](const Json* cell) {
+        return std::tuple(cell->at("offset").get<double>(), cell->at("place") == "exit",
+                          cell->at("model") != "ellipsoid");
+    };
+    std::stable_sort(order.begin(), order.end(),
+                     [&](const Json* a, const Json* b) { return key(a) < key(b); });
+    return order;
+}
+
+std::string model_words(const std::string& model) {
+    if (model == "ellipsoid") return "ellipsoid, in time";
+    return model.starts_with("roscoe") ? "steady (" + model + ")" : model;
+}
+
 std::string cells_section(const Json& cells) {
     std::vector<std::vector<std::string>> rows;
-    for (const Json& cell : cells) {
+    for (const Json* const place : cells_in_order(cells)) {
+        const Json& cell = *place;
         const Json& stress = cell.at("stress");
         std::vector<std::string> row = {cell.at("place").get<std::string>(),
-                                        cell.at("model").get<std::string>()};
+                                        model_words(cell.at("model").get<std::string>())};
         for (const char* name : {"offset", "fluid_stress"})
             row.push_back(number_or_dash(cell.at(name), name));
         for (const char* name : {"von_mises", "viscous"})
@@ -152,6 +174,12 @@ std::string answer_sections(const Json& answer) {
             out += cells_section(value);
         } else if (name == "simulation") {
             out += simulation_section(value);
+        } else if (name == "passages") {
+            out += report_passages(answer);
+        } else if (name == "uncertainty") {
+            out += report_uncertainty(answer);
+        } else if (name == "checks") {
+            out += report_checks(answer);
         } else if (name == "nozzle" || name == "exit") {
             out += heading(name == "nozzle" ? "In the nozzle" : "At the exit") +
                    html_table({}, value_rows(value, name));

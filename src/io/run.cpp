@@ -44,12 +44,13 @@ Json answer_of(const Prediction& prediction, const RunOptions& options) {
 void answer_one(const Settings& row, const RunOptions& options, const Sink& sink, const Sink& notice,
                 CheckTally& tally) {
     const Prediction prediction = predict(row.make_case());
-    const bool table_alone =
-        options.format == Format::table && options.paths.empty() && options.extras.empty() && !options.ladder;
+    const bool table_alone = options.format == Format::table && options.paths.empty() &&
+                             options.extras.empty() && !options.ladder && !options.seen;
     if (table_alone) return sink(answer_table(prediction, options.style));
     Json answer = answer_of(prediction, options);
     const ExtraResults results = add_extras(answer, row, options.extras, options.jobs, true);
     tally.add(results.checks);
+    if (options.seen) options.seen(answer);
     if (!options.paths.empty()) {
         for (const std::string& path : options.paths) {
             sink(value_text(value_at(answer, json_path(answer, path))) + "\n");

@@ -44,6 +44,8 @@ struct RunOptions {
     RunResult start =
         {};  ///< where many rows go on: those read are passed over, and their answers stand already
     std::function<void(const RunResult&)> keep = {};  ///< called now and then between two rows
+    /// Gets the answer to a single question, with what was asked beyond it, before it is written.
+    std::function<void(const Json&)> seen = {};
 };
 
 /// Whether the head of the rows is still to be written: neither an earlier part of this run nor another piece has.

@@ -232,6 +232,7 @@ std::vector<std::string> write(const Prediction& prediction, const Comparison& c
     Json answer = simulated_answer_object(prediction, comparison, question);
     if (options.ladder) answer["choice"] = ladder_object(*options.ladder);
     const ExtraResults results = add_extras(answer, settings, options.extras, options.jobs, true);
+    if (options.seen) options.seen(answer);
     if (!options.paths.empty()) {
         for (const std::string& path : options.paths) {
             sink(value_text(value_at(answer, json_path(answer, path))) + "\n");

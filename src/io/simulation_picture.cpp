@@ -1,6 +1,7 @@
 #include "io/simulation_picture.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "bioprint/predict/streamline_passage.hpp"
@@ -58,20 +59,23 @@ OffsetWay way_of(const PictureData& data, double offset) {
 
 Series simulated(const Comparison& comparison, std::string_view x, std::string_view y, std::string title,
                  int style) {
-    return {.title = std::move(title),
-            .x = column_of(comparison.run.series, x),
-            .y = column_of(comparison.run.series, y),
-            .style = style};
+    Series series{.title = std::move(title), .style = style};
+    std::vector<double> values = column_of(comparison.run.series, y);
+    if (values.empty()) return series;  // the scene has no such column
+    series.x = column_of(comparison.run.series, x);
+    series.y = std::move(values);
+    return series;
 }
 
 /// A simulated value with its numerical error, where one stands for a curve's peak.
 Series bar(const Comparison& comparison, std::string_view name, double x, int style) {
-    Series series{.title = "simulated, with numerical error", .style = style, .mark = Mark::points};
+    Series series{.title = "with numerical error", .style = style, .mark = Mark::points};
     for (const ComparedValue& value : comparison.values) {
         if (value.name != name) continue;
         series.x.push_back(x);
         series.y.push_back(value.simulated);
-        series.error.push_back(value.error);
+        series.low.push_back(value.simulated - value.error);
+        series.high.push_back(value.simulated + value.error);
     }
     return series;
 }
@@ -97,6 +101,15 @@ Axis place_axis(const PictureData& data) {
             .max = 5.0 * data.question.radius};
 }
 
+/// Where an axis of stretches begins: at a tenth below all of them.
+double axis_below(const Panel& panel) {
+    double least = 1.0;
+    for (const Series& series : panel.series) {
+        for (const double y : series.y) least = std::min(least, y);
+    }
+    return std::max(0.0, std::floor(10.0 * least - 0.5) / 10.0);
+}
+
 std::vector<Panel> exit_panels(const PictureData& data, const Comparison& comparison) {
     const double peak_at = simulated_value(comparison, "peak_position", 0.0);
     Panel stress{.title = "Stress of the cell through the exit",
@@ -114,11 +127,7 @@ std::vector<Panel> exit_panels(const PictureData& data, const Comparison& compar
                              predicted(data, "predicted, across (α2)", &AxisCellState::radial_stretch, 1),
                              simulated(comparison, "x [m]", "stretch_radial", "simulated, across", 4)},
                   .verticals = {0.0}};
-    double least = 1.0;
-    for (const Series& series : stretch.series) {
-        for (const double y : series.y) least = std::min(least, y);
-    }
-    stretch.y.min = std::max(0.0, least - 0.1);
+    stretch.y.min = axis_below(stretch);
     return {std::move(stress), std::move(stretch)};
 }
 
@@ -143,8 +152,8 @@ std::vector<Panel> offset_exit_panels(const PictureData& data, const Comparison&
 /// A cell in a steady flow, over time; on the axis it has one length along the flow and one across.
 std::vector<Panel> steady_panels(const Comparison& comparison) {
     const std::vector<double> time = column_of(comparison.run.series, "time [s]");
-    const auto level = [&](std::string_view name) {
-        Series series{.title = "predicted, settled", .style = 0};
+    const auto level = [&](std::string_view name, std::string title) {
+        Series series{.title = std::move(title), .style = 0};
         const std::optional<double> value = predicted_value(comparison, name);
         if (value && !time.empty()) {
             series.x = {0.0, time.back()};
@@ -154,20 +163,22 @@ std::vector<Panel> steady_panels(const Comparison& comparison) {
     };
     const double end = time.empty() ? 0.0 : time.back();
     const Axis axis{.title = "time in the flow", .dimension = Dimension::time, .min = 0.0};
-    return {
-        {.title = "Stress of the cell",
-         .x = axis,
-         .y = {.title = "von Mises stress", .dimension = Dimension::pressure},
-         .series = {level("von_mises"), simulated(comparison, "time [s]", "von_mises [Pa]", "simulated", 2),
-                    bar(comparison, "von_mises", end, 2)}},
-        {.title = "Stretch of the cell",
-         .x = axis,
-         .y = {.title = "length over length at rest", .min = 0.5},
-         .series = {level("stretch.0"),
-                    simulated(comparison, "time [s]", "stretch_axial", "simulated, along", 2),
-                    simulated(comparison, "time [s]", "stretch_radial", "simulated, across", 4),
-                    simulated(comparison, "time [s]", "stretch_1", "simulated, longest", 2),
-                    simulated(comparison, "time [s]", "stretch_2", "simulated, second", 4)}}};
+    Panel stretch{.title = "Stretch of the cell",
+                  .x = axis,
+                  .y = {.title = "length over length at rest"},
+                  .series = {level("stretch.0", "predicted, settled"), level("stretch.1", ""),
+                             simulated(comparison, "time [s]", "stretch_axial", "simulated, along", 2),
+                             simulated(comparison, "time [s]", "stretch_radial", "simulated, across", 4),
+                             simulated(comparison, "time [s]", "stretch_1", "simulated, longest", 2),
+                             simulated(comparison, "time [s]", "stretch_2", "simulated, second", 4)}};
+    stretch.y.min = axis_below(stretch);
+    return {{.title = "Stress of the cell",
+             .x = axis,
+             .y = {.title = "von Mises stress", .dimension = Dimension::pressure},
+             .series = {level("von_mises", "predicted, settled"),
+                        simulated(comparison, "time [s]", "von_mises [Pa]", "simulated", 2),
+                        bar(comparison, "von_mises", end, 2)}},
+            std::move(stretch)};
 }
 
 std::vector<Panel> flow_panels(const PictureData& data, const Comparison& comparison) {
@@ -211,6 +222,7 @@ std::vector<Panel> panels_of(const PictureData& data, const Comparison& comparis
 Picture simulation_picture(const PictureData& data, const Comparison& comparison) {
     return {.name = "simulation",
             .title = picture_title(data),
+            .subtitle = picture_subtitle(data),
             .caption =
                 "The course of the simulation at the resolution asked for, and what the theory predicts; the "
                 "point is the value extrapolated from two resolutions, with its estimated numerical error.",

@@ -5,7 +5,7 @@
 #include <exception>
 #include <functional>
 #include <limits>
-#include <map>
+#include <numeric>
 #include <set>
 
 #include "bioprint/errors.hpp"
@@ -13,7 +13,9 @@
 #include "io/answer_object.hpp"
 #include "io/answer_path.hpp"
 #include "io/parallel.hpp"
+#include "io/sweep_title.hpp"
 #include "io/table.hpp"
+#include "io/uncertainty.hpp"
 
 namespace bioprint {
 namespace {
@@ -28,6 +30,9 @@ struct Quantity {
     std::string title;
     std::optional<Dimension> dimension;
     std::vector<double> values = {};
+    std::string path = {};         ///< in the answer
+    std::vector<double> low = {};  ///< ends of the spread, where one was asked for
+    std::vector<double> high = {};
 };
 
 double number_at(const Json& answer, const std::string& path) {
@@ -41,34 +46,54 @@ double number_at(const Json& answer, const std::string& path) {
 }
 
 std::vector<Quantity> default_quantities() {
-    return {{"stress at the wall", Dimension::pressure},
-            {"cell in the nozzle", Dimension::pressure},
-            {"cell at the exit", Dimension::pressure}};
+    return {{.title = "stress at the wall", .dimension = Dimension::pressure, .path = "nozzle.stress_max"},
+            {.title = "cell in the nozzle",
+             .dimension = Dimension::pressure,
+             .path = "cells.nozzle.stress.von_mises"},
+            {.title = "cell at the exit",
+             .dimension = Dimension::pressure,
+             .path = "cells.exit.stress.von_mises"}};
 }
 
-void take(const Prediction& prediction, const std::vector<std::string>& paths, std::size_t row,
+void take(const Settings& settings, const RunOptions& options, std::size_t row,
           std::vector<Quantity>& quantities) {
-    if (paths.empty()) {
+    const Prediction prediction = predict(settings.make_case());
+    if (options.paths.empty()) {
         quantities[0].values[row] = prediction.nozzle.stress_max;
         quantities[1].values[row] = nozzle_stress(prediction);
         quantities[2].values[row] = exit_stress(prediction).value_or(nothing);
-        return;
     }
-    const Json answer = answer_object(prediction);
-    for (std::size_t q = 0; q < paths.size(); ++q) quantities[q].values[row] = number_at(answer, paths[q]);
+    if (options.paths.empty() && !options.extras.uncertainty.wanted) return;
+    Json answer = answer_object(prediction);
+    if (options.extras.uncertainty.wanted) add_uncertainty(answer, settings, options.extras.uncertainty, 1);
+    for (Quantity& quantity : quantities) {
+        if (!options.paths.empty()) quantity.values[row] = number_at(answer, quantity.path);
+        if (!options.extras.uncertainty.wanted) continue;
+        if (const Json* const spread = spread_of(answer, quantity.path)) {
+            quantity.low[row] = spread->at("percentile_5").get<double>();
+            quantity.high[row] = spread->at("percentile_95").get<double>();
+        }
+    }
 }
 
-std::vector<Quantity> computed(const Sweep& sweep, const std::vector<std::string>& paths, unsigned jobs) {
+std::vector<Quantity> computed(const Sweep& sweep, const RunOptions& options) {
     std::vector<Quantity> quantities = default_quantities();
-    if (!paths.empty()) {
+    if (!options.paths.empty()) {
         quantities.clear();
-        for (const std::string& path : paths) quantities.push_back({path, dimension_at(path)});
+        for (const std::string& path : options.paths) {
+            quantities.push_back({.title = path, .dimension = dimension_at(path), .path = path});
+        }
     }
-    for (Quantity& quantity : quantities) quantity.values.assign(sweep.size(), nothing);
+    for (Quantity& quantity : quantities) {
+        quantity.values.assign(sweep.size(), nothing);
+        if (!options.extras.uncertainty.wanted) continue;
+        quantity.low = quantity.high = quantity.values;
+    }
     std::vector<std::exception_ptr> refusals(sweep.size());
-    for_each_index(sweep.size(), jobs, [&](std::size_t row) {
+    for_each_index(sweep.size(), options.jobs, [&](std::size_t row) {
+        if (options.interrupted != nullptr && *options.interrupted) throw DataError("interrupted");
         try {
-            take(predict(sweep.row(row).make_case()), paths, row, quantities);
+            take(sweep.row(row), options, row, quantities);
         } catch (const Error&) {
             refusals[row] = std::current_exception();
         }
@@ -165,20 +190,21 @@ class Lines {
 
 Series series_of(const Lines& lines, const Lines::Line& line, const Quantity& quantity, std::string title,
                  int style) {
-    std::vector<std::pair<double, double>> points;
-    for (std::size_t i = 0; i < line.rows.size(); ++i) {
-        points.emplace_back(line.x[i], quantity.values[line.rows[i]]);
-    }
-    std::stable_sort(points.begin(), points.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<std::size_t> order(line.rows.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return line.x[a] < line.x[b]; });
     Series series{.title = std::move(title), .style = style};
-    for (const auto& [x, y] : points) {
-        series.x.push_back(x);
-        series.y.push_back(y);
+    for (const std::size_t i : order) {
+        series.x.push_back(line.x[i]);
+        series.y.push_back(quantity.values[line.rows[i]]);
+        if (quantity.low.empty()) continue;
+        series.low.push_back(quantity.low[line.rows[i]]);
+        series.high.push_back(quantity.high[line.rows[i]]);
     }
-    series.mark = lines.has_names()                     ? Mark::points
-                  : points.size() <= most_marked_points ? Mark::line_points
-                                                        : Mark::line;
+    series.mark = lines.has_names()                    ? Mark::points
+                  : order.size() <= most_marked_points ? Mark::line_points
+                                                       : Mark::line;
     return series;
 }
 
@@ -246,22 +272,28 @@ void require_few_lines(const std::vector<Panel>& panels) {
 
 }  // namespace
 
-Picture sweep_picture(const Sweep& sweep, const std::vector<std::string>& paths, unsigned jobs) {
+Picture sweep_picture(const Sweep& sweep, const RunOptions& options) {
     if (sweep.size() > most_rows) {
         throw UsageError("--plot: the sweep has " + std::to_string(sweep.size()) + " rows and at most " +
                              std::to_string(most_rows) + " are drawn; take a coarser step",
                          "--plot");
     }
     const Lines lines(sweep);
-    const std::vector<Quantity> quantities = computed(sweep, paths, jobs);
-    std::vector<Panel> panels = lines.lines().size() == 1 ? panels_by_unit(lines, quantities, !paths.empty())
-                                                          : panels_by_quantity(lines, quantities);
+    const std::vector<Quantity> quantities = computed(sweep, options);
+    std::vector<Panel> panels = lines.lines().size() == 1
+                                    ? panels_by_unit(lines, quantities, !options.paths.empty())
+                                    : panels_by_quantity(lines, quantities);
     require_few_lines(panels);
     for (Panel& panel : panels) choose_logarithm(panel);
-    Picture picture{.name = "sweep",
-                    .title = "",
-                    .caption = "Each point is a prediction; a gap is a row without an answer.",
-                    .rows = {}};
+    Picture picture{
+        .name = "sweep",
+        .title = sweep_title(sweep),
+        .subtitle = sweep_subtitle(sweep) + (options.extras.uncertainty.wanted ? "; bars: 5 to 95 %" : ""),
+        .caption =
+            std::string("Each point is a prediction; a gap is a row without an answer.") +
+            (options.extras.uncertainty.wanted ? " Bars: 5 to 95 % of the answers to the uncertain inputs."
+                                               : ""),
+        .rows = {}};
     for (std::size_t i = 0; i < panels.size(); i += 2) {
         PictureRow row{.panels = {std::move(panels[i])}, .height = panels.size() == 1 ? 480 : 400};
         if (i + 1 < panels.size()) row.panels.push_back(std::move(panels[i + 1]));

@@ -51,6 +51,21 @@ double spread_value(const UncertainInput& input, double z);
 void add_uncertainty(Json& answer, const Settings& settings, const UncertaintyRequest& request,
                      unsigned jobs);
 
+/// The statistics of the number at a path; none where it has no spread.
+/// @param answer  with `uncertainty`
+const Json* spread_of(const Json& answer, std::string_view path);
+
+/// The numbers of most interest that have a spread.
+struct NamedSpread {
+    std::string_view label;
+    std::string_view path;
+    const Json* spread;
+};
+std::vector<NamedSpread> main_spreads(const Json& answer);
+
+/// "Most of the spread of 'cell, at the exit' is that of alpha: 43 %"; empty with one input.
+std::string measure_better(const Json& answer);
+
 /// The table's sections.
 std::string uncertainty_section(const Json& answer, TableStyle style);
 

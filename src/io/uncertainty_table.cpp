@@ -29,7 +29,19 @@ std::string percent(double part) {
     return format_lab(100.0 * part, Dimension::dimensionless, part < 0.0995 ? 1 : 2).number + " %";
 }
 
-/// The statistics of a number; none where it has no spread.
+std::string inputs_line(const Json& input) {
+    const KeyInfo& info =
+        info_of(find_key(input.at("name").get_ref<const std::string&>()).value_or(Key::radius));
+    const LabUnit& unit = choose_lab_unit(input.at("mean").get<double>(), *info.dimension);
+    std::string text = "  " + input.at("name").get<std::string>() + " " +
+                       format_in(input.at("mean").get<double>(), unit, 4) + " ± " +
+                       format_in(input.at("standard_deviation").get<double>(), unit, 2);
+    if (!unit.name.empty()) text += " " + std::string(unit.name);
+    return text + " (" + input.at("distribution").get<std::string>() + ")\n";
+}
+
+}  // namespace
+
 const Json* spread_of(const Json& answer, std::string_view path) {
     const Json* place = &answer.at("uncertainty");
     const std::string real = json_path(answer, path);
@@ -52,19 +64,18 @@ const Json* spread_of(const Json& answer, std::string_view path) {
     return spread ? place : nullptr;
 }
 
-std::string inputs_line(const Json& input) {
-    const KeyInfo& info =
-        info_of(find_key(input.at("name").get_ref<const std::string&>()).value_or(Key::radius));
-    const LabUnit& unit = choose_lab_unit(input.at("mean").get<double>(), *info.dimension);
-    std::string text = "  " + input.at("name").get<std::string>() + " " +
-                       format_in(input.at("mean").get<double>(), unit, 4) + " ± " +
-                       format_in(input.at("standard_deviation").get<double>(), unit, 2);
-    if (!unit.name.empty()) text += " " + std::string(unit.name);
-    return text + " (" + input.at("distribution").get<std::string>() + ")\n";
+std::vector<NamedSpread> main_spreads(const Json& answer) {
+    std::vector<NamedSpread> rows;
+    for (const Shown& row : shown) {
+        if (const Json* const spread = spread_of(answer, row.path)) {
+            rows.push_back({.label = row.label, .path = row.path, .spread = spread});
+        }
+    }
+    return rows;
 }
 
-/// Which input to measure better, for the cell's stress at the exit or what comes nearest to it.
-std::string advice(const Json& answer) {
+std::string measure_better(const Json& answer) {
+    // For the cell's stress at the exit, or what comes nearest to it.
     for (const Shown& row : {shown[8], shown[7], shown[6], shown[3]}) {
         const Json* const spread = spread_of(answer, row.path);
         if (spread == nullptr) continue;
@@ -77,13 +88,11 @@ std::string advice(const Json& answer) {
             best = item.key();
         }
         if (shares.size() < 2 || best.empty()) return {};
-        return "  Most of the spread of '" + std::string(row.label) + "' is that of " + best + ": " +
-               percent(largest) + "\n";
+        return "Most of the spread of '" + std::string(row.label) + "' is that of " + best + ": " +
+               percent(largest);
     }
     return {};
 }
-
-}  // namespace
 
 std::string uncertainty_section(const Json& answer, TableStyle style) {
     const Json& uncertainty = answer.at("uncertainty");
@@ -98,21 +107,24 @@ std::string uncertainty_section(const Json& answer, TableStyle style) {
     std::vector<std::vector<std::string>> shares = {{"share of the variance by"}};
     for (const Json& input : uncertainty.at("inputs"))
         shares[0].push_back(input.at("name").get<std::string>());
-    for (const Shown& row : shown) {
-        const Json* const spread = spread_of(answer, row.path);
-        if (spread == nullptr) continue;
+    for (const NamedSpread& row : main_spreads(answer)) {
+        const Json* const spread = row.spread;
         const auto number = [&](const char* name) { return spread->at(name).get<double>(); };
         const LabUnit& unit = choose_lab_unit(number("mean"), dimension_at(row.path));
-        spreads.push_back(
-            {row.label, format_in(number("mean"), unit, 4), format_in(number("standard_deviation"), unit, 3),
-             format_in(number("percentile_5"), unit, 4), format_in(number("percentile_50"), unit, 4),
-             format_in(number("percentile_95"), unit, 4), std::string(unit.name)});
-        shares.push_back({row.label});
+        spreads.push_back({std::string(row.label), format_in(number("mean"), unit, 4),
+                           format_in(number("standard_deviation"), unit, 3),
+                           format_in(number("percentile_5"), unit, 4),
+                           format_in(number("percentile_50"), unit, 4),
+                           format_in(number("percentile_95"), unit, 4), std::string(unit.name)});
+        shares.push_back({std::string(row.label)});
         for (const auto& item : spread->at("first_order").items())
             shares.back().push_back(percent(item.value().get<double>()));
     }
     text += table_grid(spreads, 1);
-    if (shares[0].size() > 2) text += "\n" + table_grid(shares, 1) + advice(answer);
+    if (shares[0].size() > 2) {
+        text += "\n" + table_grid(shares, 1);
+        if (const std::string advice = measure_better(answer); !advice.empty()) text += "  " + advice + "\n";
+    }
     return text;
 }
 

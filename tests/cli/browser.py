@@ -28,6 +28,8 @@ class Browser(Case):
     def test_reports_ask_for_nothing_and_complain_of_nothing(self):
         for name, arguments in {
             "question": ["--needle", "27G", "--tip", "steel", "--flowrate", "20uL/min", "--population"],
+            "everything": ["--uncertainty", "--samples", "64", "--check", "nozzle.stress_max<2kPa", "--length", "12.7mm",
+                           "--simulate=exit-flow", "--fidelity", "draft"],
             "sweep": ["--alpha", "0:0.75:0.15", "--velocity", "1mm/s,5mm/s"],
         }.items():
             self.call("-q", *arguments, "--report", f"{name}.html")

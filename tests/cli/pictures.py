@@ -4,9 +4,10 @@ import itertools
 import json
 import os
 import re
+import shutil
 import xml.etree.ElementTree as ElementTree
 
-from program import Case, ink_named, main, need
+from program import EXAMPLES, Case, ink_named, main, need
 
 need("gnuplot")
 
@@ -123,6 +124,56 @@ class Pictures(Case):
         self.assertIn("predicted", self.texts())
         self.assertIn("simulated", self.texts())
 
+    def test_scenes_of_a_cell_have_a_picture(self):
+        for scene in ("channel", "exit"):
+            self.call("-q", f"--simulate={scene}", "--offset", "0", "--fidelity", "draft", "--plot", "p.svg")
+            self.assertTrue(any(text.startswith("predicted") for text in self.texts()), scene)
+            self.assertTrue(any(text.startswith("simulated") for text in self.texts()), scene)
+
+    def test_a_fit_is_drawn_with_its_data_laws_and_residuals(self):
+        shutil.copy(EXAMPLES / "flow-curve.csv", self.folder)
+        self.call("fit", "-q", "flow-curve.csv", "--plot", "p.svg", "-o", "fit.txt")
+        texts = self.texts()
+        for words in ("measured", "left out as outliers", "cross", "viscosity [Pa s]", "shear rate [1/s]", "residual [%]"):
+            self.assertIn(words, texts)
+        self.assertTrue(any(text.startswith("carreau-yasuda (AICc") for text in texts), texts)
+        self.assertNotRegex(self.read("p.svg").decode().lower(), r"\bnan\b|\binf\b")
+        text = self.call("fit", "-q", "flow-curve.csv", "--plot", "-")
+        self.assertIn("residual [%]", text)
+        for arguments, status, words in (
+            (["--plot", "p.gif"], 2, ".svg, .png or .pdf"),
+            (["--plot", "-", "--json"], 2, "--output"),
+            (["--plot", "none/p.svg"], 4, "create the directory"),
+        ):  # fmt: skip
+            self.call("fit", "-q", "flow-curve.csv", *arguments, status=status)
+            self.assertIn(words, self.err)
+            self.assertEqual(self.names(), ["fit.txt", "flow-curve.csv", "p.svg"])
+
+    def test_a_spread_is_drawn_where_one_was_asked_for(self):
+        for kind, words in (("exit", "largest, 5 to 95 %"), ("profile", "cell (von Mises), 5 to 95 %"),
+                            ("nomogram", "this print, 5 to 95 %")):  # fmt: skip
+            self.call("-q", "--alpha", "0.75±0.05", "--samples", "32", "--plot", "p.svg", "--plot-kind", kind)
+            self.assertIn(words, self.texts(), kind)
+            self.call("-q", "--plot", "p.svg", "--plot-kind", kind)
+            self.assertNotIn(words, self.texts(), kind)
+        plain = self.call("-q", "--velocity", "1:5:1mm/s", "--format", "csv", "--plot", "p.svg")
+        without = len(self.read("p.svg"))
+        self.call("-q", "--velocity", "1:5:1mm/s", "--uncertainty", "--samples", "32", "--format", "csv", "--plot", "p.svg")
+        self.assertGreater(len(self.read("p.svg")), without + 1000)
+        self.assertTrue(any(text.endswith("bars: 5 to 95 %") for text in self.texts()), self.texts()[:3])
+        self.assertIn("nozzle.stress_max [Pa]", plain)
+
+    def test_a_viscosity_without_a_bound_leaves_its_curve_readable(self):
+        """In a yielding ink it grows to 1e12 and more near the plug; the axis ends 4 decades above the wall's."""
+        self.call("-q", "--ink", "ama-25C", "--velocity", "1mm/s", "--plot", "p.svg", "--plot-kind", "profile")
+        self.assertFalse([text for text in self.texts() if re.fullmatch(r"\d*·?10[⁷⁸⁹]|.*[eE]\+?\d+.*", text)])
+
+    def test_a_title_says_what_ink_and_cell_it_is_of(self):
+        self.call("-q", "--alpha", "0.2", "--shear-modulus", "100Pa", "--plot", "p.svg")
+        self.assertTrue(any("α 0.2; cell reference: R 8 µm, 100 Pa" in text for text in self.texts()), self.texts()[:3])
+        self.call("-q", "--velocity", "1:5:1mm/s", "--plot", "p.svg")
+        self.assertIn("Over velocity", self.texts())
+
     def test_lines_differ_in_grey_and_for_colour_blind_eyes(self):
         self.call("-q", "--radius", "50um", "--velocity", "1,2,3,4,5,6mm/s", "--alpha", "0:0.9:0.1",
                   "--get", "nozzle.stress_max", "--plot", "p.svg")  # fmt: skip
@@ -171,6 +222,17 @@ class Pictures(Case):
         self.call("-q", "--plot", "p.svg", status=4, env={"PATH": str(self.folder / "empty")})
         self.assertIn("apt-get install gnuplot-nox", self.err)
         self.assertEqual(self.names(), ["empty"])
+
+    def test_an_interrupt_while_gnuplot_draws_is_told_and_leaves_no_file(self):
+        """Ctrl-C reaches gnuplot as well, which then ends without a picture."""
+        folder = self.folder / "bin"
+        folder.mkdir()
+        (folder / "gnuplot").write_text("#!/bin/sh\nkill -INT $PPID\nexit 130\n")
+        (folder / "gnuplot").chmod(0o755)
+        for arguments in (["--plot", "p.svg"], ["--report", "r.html"], ["--velocity", "1:5:1mm/s", "--plot", "p.svg"]):
+            self.call("-q", *arguments, "-o", "answer.txt", status=130, env={"PATH": f"{folder}:/usr/bin:/bin"})
+            self.assertIn("interrupted; no file was written", self.err)
+            self.assertEqual(self.names(), ["bin"])
 
     def test_a_gnuplot_that_fails_is_heard(self):
         folder = self.folder / "bin"

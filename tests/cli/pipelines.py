@@ -41,7 +41,43 @@ class Pipelines(Case):
         self.shell("shellcheck slurm-array.sh")
         for task in range(1, 13):
             self.shell("bash slurm-array.sh runs.csv", {"SLURM_ARRAY_TASK_ID": str(task), "SLURM_ARRAY_TASK_COUNT": "12"})
-        self.assertEqual(self.shell("cat runs.piece-*.csv"), self.whole)
+        shutil.copy(EXAMPLES / "join-pieces.sh", self.folder)
+        self.assertEqual(self.shell("bash join-pieces.sh runs.piece-*.csv"), self.whole)
+        self.assertEqual(self.shell("cat $(ls -v runs.piece-*.csv)"), self.whole)
+
+    def joined(self, script):
+        """Status and complaint of the collector; it must not have written anything."""
+        text = self.shell(script + " > joined 2> said; echo $?; wc -c < joined; cat said")
+        status, size, said = text.split("\n", 2)
+        self.assertEqual(size, "0")
+        self.assertEqual(len(said.splitlines()), 1, said)
+        return int(status), said
+
+    def test_the_collector_refuses_what_is_not_the_whole(self):
+        shutil.copy(EXAMPLES / "join-pieces.sh", self.folder)
+        self.shell("shellcheck join-pieces.sh; mkdir p; for k in 1 2 3; do bioprint-predict -q --batch runs.csv --shard $k/3"
+                   " -o p/r.piece-$k-of-3.csv || test $? = 6; done")  # fmt: skip
+        join = "bash join-pieces.sh "
+        self.assertEqual(self.shell(join + "p/r.piece-3-of-3.csv p/r.piece-1-of-3.csv p/r.piece-2-of-3.csv"), self.whole)
+        status, said = self.joined(join + "p/r.piece-1-of-3.csv p/r.piece-3-of-3.csv")
+        self.assertEqual(status, 4)
+        self.assertIn("missing: 2; answer them again with --shard K/3", said)
+        self.shell("mkdir twice; cp p/r.piece-2-of-3.csv twice")
+        status, said = self.joined(join + "p/*.csv twice/*.csv")
+        self.assertEqual(status, 4)
+        self.assertIn("piece 2 is there twice", said)
+        status, said = self.joined(join + "p/*.csv p/r.piece-2-of-3.csv")
+        self.assertEqual(status, 4)
+        self.shell("mkdir other; cp p/r.piece-2-of-3.csv other/r.piece-2-of-4.csv")
+        self.assertIn("of a split in 4", self.joined(join + "p/*.csv other/*.csv")[1])
+        self.shell("mkdir cut; cp p/* cut; truncate -s -5 cut/r.piece-2-of-3.csv")
+        self.assertIn("cut short", self.joined(join + "cut/*.csv")[1])
+        self.shell("cp p/* cut; cp p/r.piece-1-of-3.csv cut/r.piece-2-of-3.csv")
+        self.assertIn("begins with the head", self.joined(join + "cut/*.csv")[1])
+        self.assertEqual(self.joined(join)[0], 2)
+        self.assertEqual(self.joined(join + "runs.csv")[0], 2)
+        self.assertEqual(self.joined(join + "p/*.csv none-4-of-3")[0], 2)
+        self.assertEqual(self.joined(join + "p/r.piece-1-of-3.csv p/r.piece-2-of-3.csv none-3-of-3")[0], 4)
 
     def test_the_slurm_array_job_fails_with_the_program(self):
         shutil.copy(EXAMPLES / "slurm-array.sh", self.folder)

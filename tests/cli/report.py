@@ -87,6 +87,32 @@ class Report(Case):
         page = self.page("--alpha", "0.5,1.3", status=6)
         self.assertIn("no steady flow", page.texts["td"])
 
+    def test_checks_spread_and_sensitivity_stand_where_they_were_asked_for(self):
+        page = self.page("--uncertainty", "--samples", "64", "--check", "nozzle.stress_max<2kPa", "--check",
+                         "cells.exit.stress.von_mises<100Pa", status=7)  # fmt: skip
+        for words in ("<h2>Checks</h2>", "does not hold", "78 %", "<h2>Uncertainty</h2>", "64 samples", "share of the variance",
+                      "eLife 11:e78823", "Most of the spread of", "5 to 95 %"):  # fmt: skip
+            self.assertIn(words, self.text)
+        answer = json.loads(page.texts["pre"])
+        self.assertEqual([check["holds"] for check in answer["checks"]], [True, False])
+        self.assertIn("first_order", answer["uncertainty"]["nozzle"]["stress_max"])
+        self.page()
+        for words in ("<h2>Checks</h2>", "<h2>Uncertainty</h2>", "5 to 95 %"):
+            self.assertNotIn(words, self.text)
+
+    def test_a_sweep_keeps_checks_and_spread_of_each_row(self):
+        page = self.page("--alpha", "0.5,0.75", "--uncertainty", "--samples", "16", "--format", "csv", "--check",
+                         "nozzle.stress_max<600Pa", status=7)  # fmt: skip
+        rows = json.loads(page.texts["pre"])
+        self.assertEqual([row["checks"][0]["holds"] for row in rows], [False, True])
+        self.assertIn("uncertainty", rows[0])
+
+    def test_the_value_carried_in_time_stands_before_the_steady_one(self):
+        self.page("--offset", "0,12um")
+        first = [self.text.index(f">{words}<") for words in ("ellipsoid, in time", "steady (roscoe-elongation)")]
+        self.assertLess(*first)
+        self.assertIn("Way of each cell", self.text)
+
     def test_a_simulation_stands_beside_its_prediction(self):
         page = self.page("--simulate=exit-flow", "--fidelity", "draft")
         self.assertIn("numerical error", self.text)

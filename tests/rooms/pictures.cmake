@@ -14,4 +14,7 @@ if(TARGET bioprint-predict)
                                      $<TARGET_FILE:bioprint-predict> ${PROJECT_SOURCE_DIR}/data/examples)
     set_tests_properties(${subject} PROPERTIES LABELS "campaign;unsanitized" SKIP_RETURN_CODE 77 TIMEOUT 600)
   endforeach()
+  # Starts Slurm's daemons on this machine, as root.
+  add_test(NAME slurm COMMAND ${PROJECT_SOURCE_DIR}/tests/campaign/slurm.sh $<TARGET_FILE:bioprint-predict>)
+  set_tests_properties(slurm PROPERTIES LABELS "campaign;unsanitized" SKIP_RETURN_CODE 77 TIMEOUT 300 RUN_SERIAL ON)
 endif()

@@ -34,6 +34,9 @@ test_packages=(
 # To hunt for crashes with libFuzzer (not part of the test command).
 fuzz_packages=(clang libclang-rt-14-dev)
 
+# For the tests by hand (label campaign): reports in a browser, macros and CSV in a spreadsheet, an array job.
+campaign_packages=(chromium libreoffice-calc libreoffice-l10n-de slurm-wlm munge)
+
 # Prints those of the packages named that are not installed, one a line.
 missing_packages() {
     local name status
