@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <map>
+#include <string>
 
 #include "bench/extreme_runs.hpp"
 
@@ -16,7 +17,8 @@ TEST_CASE("extremes: every scene ends in an answer within its error or in a refu
         const Outcome outcome = ask(scene, false, {.seconds = 60.0});
         CAPTURE(scene.number);
         CAPTURE(scene.kind);
-        CAPTURE(name_of(outcome.verdict));
+        CAPTURE(std::string(name_of(outcome.verdict)));
+        CAPTURE(outcome.quantity);
         CAPTURE(outcome.remark);
         CAPTURE(outcome.deviation);
         CHECK(is_sound(outcome.verdict));
