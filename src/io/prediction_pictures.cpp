@@ -47,6 +47,16 @@ Panel velocity_panel(const PictureData& data) {
             .circles = cells_to_scale(data)};
 }
 
+/// What the cells of every streamline bear at most, and the stress that 95 % of all cells stay below.
+void add_population(Panel& panel, const Population& all, double radius) {
+    const double most = all.peak_stress.percentile_95;
+    panel.title = "Stress in the nozzle, and of all cells on their way";
+    panel.series.push_back(curve("cells, largest in the nozzle", all.radius, all.nozzle_peak, 1));
+    panel.series.push_back(curve("cells, largest at the exit", all.radius, all.exit_peak, 3));
+    panel.series.push_back(
+        {.title = "95 % of all cells", .x = {0.0, radius}, .y = {most, most}, .mark = Mark::faint});
+}
+
 Panel stress_panel(const PictureData& data) {
     const RadialProfile& profile = *data.prediction.profile;
     Series cells{.title = "cell (von Mises)", .style = 2, .mark = Mark::points};
@@ -56,13 +66,15 @@ Panel stress_panel(const PictureData& data) {
                   cell.stress->von_mises);
     }
     if (!cells.low.empty()) cells.title += spread_words;
-    return {.title = "Stress in the nozzle",
-            .x = {.title = "distance from the axis",
-                  .dimension = Dimension::length,
-                  .min = 0.0,
-                  .max = data.question.radius},
-            .y = {.title = "stress", .dimension = Dimension::pressure},
-            .series = {curve("ink (shear stress)", profile.r, profile.stress, 0), std::move(cells)}};
+    Panel panel{.title = "Stress in the nozzle",
+                .x = {.title = "distance from the axis",
+                      .dimension = Dimension::length,
+                      .min = 0.0,
+                      .max = data.question.radius},
+                .y = {.title = "stress", .dimension = Dimension::pressure},
+                .series = {curve("ink (shear stress)", profile.r, profile.stress, 0), std::move(cells)}};
+    if (data.prediction.population) add_population(panel, *data.prediction.population, data.question.radius);
+    return panel;
 }
 
 /// The part of the axis a picture of the exit shows, in radii from the lip.
@@ -81,6 +93,7 @@ std::vector<AxisCellState> shown_history(const PictureData& data) {
 template <class Member>
 std::vector<double> column(const std::vector<AxisCellState>& states, Member member) {
     std::vector<double> values;
+    values.reserve(states.size());
     for (const AxisCellState& state : states) values.push_back(state.*member);
     return values;
 }

@@ -45,14 +45,20 @@ double number_at(const Json& answer, const std::string& path) {
     return value.get<double>();
 }
 
-std::vector<Quantity> default_quantities() {
-    return {{.title = "stress at the wall", .dimension = Dimension::pressure, .path = "nozzle.stress_max"},
-            {.title = "cell in the nozzle",
-             .dimension = Dimension::pressure,
-             .path = "cells.nozzle.stress.von_mises"},
-            {.title = "cell at the exit",
-             .dimension = Dimension::pressure,
-             .path = "cells.exit.stress.von_mises"}};
+std::vector<Quantity> default_quantities(bool population) {
+    std::vector<Quantity> quantities = {
+        {.title = "stress at the wall", .dimension = Dimension::pressure, .path = "nozzle.stress_max"},
+        {.title = "cell in the nozzle",
+         .dimension = Dimension::pressure,
+         .path = "cells.nozzle.stress.von_mises"},
+        {.title = "cell at the exit",
+         .dimension = Dimension::pressure,
+         .path = "cells.exit.stress.von_mises"}};
+    if (population) {
+        quantities.push_back(
+            {.title = "95 % of all cells", .dimension = Dimension::pressure, .path = "population.p95"});
+    }
+    return quantities;
 }
 
 void take(const Settings& settings, const RunOptions& options, std::size_t row,
@@ -62,6 +68,8 @@ void take(const Settings& settings, const RunOptions& options, std::size_t row,
         quantities[0].values[row] = prediction.nozzle.stress_max;
         quantities[1].values[row] = nozzle_stress(prediction);
         quantities[2].values[row] = exit_stress(prediction).value_or(nothing);
+        if (prediction.population && quantities.size() > 3)
+            quantities[3].values[row] = prediction.population->peak_stress.percentile_95;
     }
     if (options.paths.empty() && !options.extras.uncertainty.wanted) return;
     Json answer = answer_object(prediction);
@@ -77,7 +85,7 @@ void take(const Settings& settings, const RunOptions& options, std::size_t row,
 }
 
 std::vector<Quantity> computed(const Sweep& sweep, const RunOptions& options) {
-    std::vector<Quantity> quantities = default_quantities();
+    std::vector<Quantity> quantities = default_quantities(sweep.fixed().has(Key::population));
     if (!options.paths.empty()) {
         quantities.clear();
         for (const std::string& path : options.paths) {

@@ -163,6 +163,13 @@ class Pictures(Case):
         self.assertTrue(any(text.endswith("bars: 5 to 95 %") for text in self.texts()), self.texts()[:3])
         self.assertIn("nozzle.stress_max [Pa]", plain)
 
+    def test_the_population_is_drawn_with_what_its_cells_bear(self):
+        self.call("-q", "--population", "--plot", "p.svg", "--plot-kind", "profile")
+        for words in ("cells, largest in the nozzle", "cells, largest at the exit", "95 % of all cells"):
+            self.assertIn(words, self.texts())
+        self.call("-q", "--population", "--velocity", "1:3:1mm/s", "--plot", "p.svg")
+        self.assertIn("95 % of all cells", self.texts())
+
     def test_a_viscosity_without_a_bound_leaves_its_curve_readable(self):
         """In a yielding ink it grows to 1e12 and more near the plug; the axis ends 4 decades above the wall's."""
         self.call("-q", "--ink", "ama-25C", "--velocity", "1mm/s", "--plot", "p.svg", "--plot-kind", "profile")
