@@ -124,28 +124,34 @@ void add_walls(std::vector<ExtremeScene>& list, int count) {
     }
 }
 
+/// A cell of 8 µm and 1 kPa in the reference alginate at 5 mm/s.
+ExtremeScene usual_scene(const std::string& kind) {
+    return {.number = 0,
+            .group = "ratio",
+            .kind = kind,
+            .alpha = 0.75,
+            .reduced_rate = 20.0,
+            .velocity = 5e-3,
+            .confinement = 0.16,
+            .shear_modulus = 1e3,
+            .stress = kind == "shear" ? 1e3 : 0.0};
+}
+
 void add_ratios(std::vector<ExtremeScene>& list) {
-    ExtremeScene usual{.number = 0,
-                       .group = "ratio",
-                       .kind = "channel",
-                       .alpha = 0.75,
-                       .reduced_rate = 20.0,
-                       .velocity = 5e-3,
-                       .confinement = 0.16,
-                       .shear_modulus = 1e3};
     for (const char* const kind : kinds) {
         for (const double inner : {1e-6, 0.2, 5.0, 1e6}) {
-            ExtremeScene scene = usual;
-            scene.kind = kind;
-            scene.inner_ratio = inner;
-            if (scene.kind == "shear") scene.stress = 300.0;
-            list.push_back(scene);
+            list.push_back(usual_scene(kind));
+            list.back().inner_ratio = inner;
         }
     }
     for (const double poisson : {0.0, 0.3, 0.48, 0.499}) {
-        usual.poisson = poisson;
-        list.push_back(usual);
+        list.push_back(usual_scene("channel"));
+        list.back().poisson = poisson;
     }
+}
+
+void number_them(std::vector<ExtremeScene>& list) {
+    for (std::size_t i = 0; i < list.size(); ++i) list[i].number = static_cast<int>(i) + 1;
 }
 
 std::string text(double value) {
@@ -188,7 +194,42 @@ std::vector<ExtremeScene> extreme_scenes() {
     add_edges(list, 96);
     add_walls(list, 20);
     add_ratios(list);
-    for (std::size_t i = 0; i < list.size(); ++i) list[i].number = static_cast<int>(i) + 1;
+    number_them(list);
+    return list;
+}
+
+std::vector<ExtremeScene> few_extreme_scenes() {
+    std::vector<ExtremeScene> list;
+    const auto add = [&](const char* kind, const auto& change) {
+        list.push_back(usual_scene(kind));
+        change(list.back());
+    };
+    const auto newtonian = [](ExtremeScene& s) {
+        s.alpha = 0.0;
+        s.reduced_rate = least_rate;
+    };
+    for (const double velocity : {least_velocity, most_velocity}) {
+        add("exit-flow", [&](ExtremeScene& s) { newtonian(s), s.velocity = velocity; });
+        add("exit-flow", [&](ExtremeScene& s) { s.reduced_rate = least_rate, s.velocity = velocity; });
+    }
+    // Broke down once, for the force was of one position.
+    for (const double confinement : {0.16, 0.4, 0.6})
+        add("channel", [&](ExtremeScene& s) {
+            newtonian(s), s.velocity = 1e-3, s.shear_modulus = 1e5, s.confinement = confinement;
+        });
+    add("exit", [&](ExtremeScene& s) { newtonian(s), s.velocity = 1e-3, s.shear_modulus = 1e4; });
+    add("exit", [](ExtremeScene&) {});
+    add("channel", [](ExtremeScene& s) { s.velocity = least_velocity, s.shear_modulus = most_modulus; });
+    add("exit", [](ExtremeScene& s) { s.velocity = most_velocity, s.shear_modulus = least_modulus; });
+    add("exit", [](ExtremeScene& s) { s.confinement = most_confinement; });
+    // Was off by half without a word.
+    add("shear", [](ExtremeScene& s) { s.stress = 2.8 * s.shear_modulus; });
+    add("shear", [](ExtremeScene& s) { s.stress = 1e-4 * s.shear_modulus; });
+    add("shear", [](ExtremeScene&) {});
+    for (const double inner : {0.2, 5.0}) add("exit", [&](ExtremeScene& s) { s.inner_ratio = inner; });
+    add("channel", [](ExtremeScene& s) { s.offset = 1.0 - s.confinement * (1.0 + 1.0 / draft_nodes); });
+    add("channel", [](ExtremeScene& s) { s.poisson = 0.499; });
+    number_them(list);
     return list;
 }
 

@@ -22,6 +22,7 @@ test_packages=(
     libvalijson-dev    # answers against their JSON Schema
     libudunits2-dev    # oracle of the unit table
     python3-meshio     # reads ParaView files
+    python3-mpmath     # references of 50 digits
     clang-format clang-tidy
     git jq man-db mandoc python3 shellcheck
     gnuplot-nox        # draws the pictures

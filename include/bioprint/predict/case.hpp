@@ -21,7 +21,7 @@ struct CellChoice {
     std::string source;
     double radius;                 ///< [m]
     double shear_modulus;          ///< μ [Pa]
-    double poisson_ratio = 0.48;   ///< used by the simulation; the theories take an incompressible cell
+    double poisson_ratio = 0.48;   ///< recorded; every model takes the cell as incompressible
     double viscosity_ratio = 1.0;  ///< λ = inner over outer viscosity
     std::string remark = {};  ///< what the preset did not hold and was taken from elsewhere; empty: nothing
 };
