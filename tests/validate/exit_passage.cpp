@@ -202,11 +202,12 @@ TEST_CASE(
     "exit passage: peak stress and strains agree with the simulations of every load a nozzle leaves steady") {
     // Five per cent is asked, beside what the simulation itself is uncertain by; the strains are counted from 1. Above
     // the smaller load the second order that the model has of the shape in the nozzle no longer suffices; a nearly
-    // rigid cell in a thinning ink comes out up to 9 % low.
+    // rigid cell in a thinning ink comes out up to 9 % low in stress and 11 % in its small strains.
     constexpr double small_load = 0.641;  // G R_c/μ
-    constexpr double stiff = 2e4;         // [Pa]
+    constexpr double stiff_load = 0.03;
     constexpr double asked = 0.05;
     constexpr double asked_of_stiff_cells = 0.09;
+    constexpr double asked_of_stiff_strains = 0.11;
     constexpr double asked_of_large_loads = 0.15;
     int compared = 0;
     for (const auto& s : test::read_reference("exit_cell_simulated.csv")) {
@@ -228,11 +229,12 @@ TEST_CASE(
                          << " %; simulation " << 100 * stress.second << ", " << 100 * axial.second << ", "
                          << 100 * radial.second << " %");
         if (s.at("steady channel") == 0.0 || load > softest_bullet) continue;
-        const bool rigid = cell.shear_modulus > stiff && s.at("alpha") > 0.0;
+        const bool rigid = load < stiff_load && s.at("alpha") > 0.0;
         const double bound = load > small_load ? asked_of_large_loads : rigid ? asked_of_stiff_cells : asked;
         CHECK(std::abs(stress.first) < bound + stress.second);
-        CHECK(std::abs(axial.first) < bound + axial.second);
-        CHECK(std::abs(radial.first) < bound + radial.second);
+        const double strains = rigid ? asked_of_stiff_strains : bound;
+        CHECK(std::abs(axial.first) < strains + axial.second);
+        CHECK(std::abs(radial.first) < strains + radial.second);
         ++compared;
     }
     CHECK(compared > 20);

@@ -29,8 +29,9 @@ inline constexpr double softest_bullet = 1.3;
 /// has at the largest load at which it does, fading from 2.6 on.
 ///
 /// Accuracy against simulations of α 0 to 0.75, 0.5 to 50 kPa, 5 to 100 mm/s, R_c/R 0.1 to 0.2: peak stress and both
-/// strains within 5 % and the simulation's own error for G R_c/μ up to 0.64, within 9 % for a nearly rigid cell
-/// (50 kPa) in a thinning ink, within 15 % for G R_c/μ up to 1.3.                     tests/validate/exit_passage.cpp
+/// strains within 5 % and the simulation's own error for G R_c/μ up to 0.64; of a nearly rigid cell
+/// (G R_c/μ below 0.03) in a thinning ink the stress within 9 %, the small strains within 11 %; within 15 % for G R_c/μ up
+/// to 1.3 (tests/validate/exit_passage.cpp).
 ExitPassageRequest exit_passage_request(const NozzleFlow& flow, const AxisCell& cell);
 
 /// @throws UsageError, NotConverged  as carry_along_axis
