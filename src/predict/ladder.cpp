@@ -92,7 +92,7 @@ const RungRecord* measured(QuestionKind kind, Rung rung, double load) {
 
 std::optional<double> expected_error(QuestionKind kind, Rung rung, double load) {
     const RungRecord* record = measured(kind, rung, load);
-    if (record == nullptr || record->unanswered > 0) return std::nullopt;
+    if (record == nullptr || record->unjudged > 0) return std::nullopt;
     return record->error;
 }
 

@@ -32,7 +32,7 @@ struct RungRecord {
     double time;       ///< processor time [s]: the median
     double longest;    ///< processor time [s]: the longest
     int questions;     ///< measured
-    int unanswered;    ///< of them
+    int unjudged;      ///< of them: no value, or none to hold it against
 };
 std::span<const RungRecord> measured_ladder();
 

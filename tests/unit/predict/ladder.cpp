@@ -23,7 +23,7 @@ TEST_CASE("ladder: a record exists for every model of the moderate cell at the e
         REQUIRE(record != nullptr);
         CHECK(record->time > 0.0);
         CHECK(record->longest >= record->time);
-        CHECK(record->questions > record->unanswered);
+        CHECK(record->questions > record->unjudged);
     }
 }
 
