@@ -50,10 +50,18 @@ Rung rung_of(double resolution) {
     return resolution <= 6.0 ? Rung::standard : Rung::fine;
 }
 
-/// Largest resident set of a simulation, as measured at 3, 6 and 12 nodes; between, by the power of the dimension.
-double simulation_memory(bool in_space, double resolution) {
+bool in_space(const SceneChoice& scene) {
+    return scene.offset > 0.0 || scene.kind == SceneKind::shear;
+}
+
+/// Largest resident set of a simulation in a nozzle of 6.25 cell radii, as measured at 3 and 6 nodes a cell radius and, on
+/// the axis, at 12; between, by the power of the dimension.
+double simulation_memory(const SceneChoice& scene, double resolution) {
     const double ratio = resolution / 6.0;
-    return in_space ? 8e6 + 70e6 * ratio * ratio * ratio : 7e6 + 2.2e6 * ratio * ratio;
+    if (!in_space(scene)) return 8e6 + 2.7e6 * ratio * ratio;
+    const double volume = ratio * ratio * ratio;
+    if (scene.kind == SceneKind::exit) return 18e6 + 89e6 * volume;
+    return scene.kind == SceneKind::shear ? 11.5e6 + 24.2e6 * volume : 9.8e6 + 20e6 * volume;
 }
 
 std::string simulation_plan(const PlannedWork& work) {
@@ -62,7 +70,6 @@ std::string simulation_plan(const PlannedWork& work) {
     const double resolution = resolution_of(*work.simulation);
     const LadderAnswer ladder = climb(prediction, {}, chosen.scene.kind);
     const RungRecord* record = measured(ladder.request.kind, rung_of(resolution), ladder.request.load);
-    const bool in_space = chosen.scene.offset > 0.0 || chosen.scene.kind == SceneKind::shear;
     std::string text = "rows     1\nmodel    simulation of " + std::string(name_of(ladder.request.kind)) +
                        ", " + format_lab(resolution, Dimension::dimensionless, 3).number +
                        " nodes a cell radius\n";
@@ -73,7 +80,7 @@ std::string simulation_plan(const PlannedWork& work) {
     } else {
         text += "time     not known: nothing like this question was measured\n";
     }
-    return text + "memory   " + megabytes(simulation_memory(in_space, resolution)) + "\n";
+    return text + "memory   " + megabytes(simulation_memory(chosen.scene, resolution)) + "\n";
 }
 
 }  // namespace
