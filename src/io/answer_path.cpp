@@ -102,6 +102,11 @@ std::string_view simulated_unit(std::string_view leaf) {
 
 }  // namespace
 
+std::string member_path(std::string path, std::string_view name) {
+    path += '.';
+    return path.append(name);
+}
+
 std::string json_path(const Json& answer, std::string_view path) {
     if (std::string full = population_path(path); !full.empty()) return full;
     if (std::string full = cells_path(answer, path); !full.empty()) return full;

@@ -18,6 +18,9 @@
 /// both by the better model, carried in time where the answer has that.
 namespace bioprint {
 
+/// "input" and "radius" make "input.radius".
+std::string member_path(std::string path, std::string_view name);
+
 /// The path of the JSON answer that `path` means; itself where it is no short form.
 std::string json_path(const Json& answer, std::string_view path);
 

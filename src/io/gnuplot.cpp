@@ -15,8 +15,6 @@
 
 #include "bioprint/errors.hpp"
 
-extern char** environ;
-
 namespace bioprint {
 namespace {
 

@@ -8,6 +8,7 @@
 
 #include "bioprint/io/answer.hpp"
 #include "bioprint/io/number_format.hpp"
+#include "io/answer_path.hpp"
 #include "io/html.hpp"
 #include "io/path_dimension.hpp"
 #include "io/report_extras.hpp"
@@ -52,7 +53,7 @@ std::vector<std::vector<std::string>> value_rows(const Json& object, const std::
     std::vector<std::vector<std::string>> rows;
     for (const auto& [name, value] : object.items()) {
         if (value.is_object() || value.is_array() || name == "source" || value.is_null()) continue;
-        rows.push_back({spoken(name), spoken_value(value, path + "." + name)});
+        rows.push_back({spoken(name), spoken_value(value, member_path(path, name))});
     }
     return rows;
 }
@@ -162,7 +163,7 @@ std::string other_section(const std::string& name, const Json& object) {
     for (const auto& [inner, value] : object.items()) {
         if (!value.is_object()) continue;
         out += "<h3>" + html_text(spoken(inner)) + "</h3>\n" +
-               html_table({}, value_rows(value, name + "." + inner));
+               html_table({}, value_rows(value, member_path(name, inner)));
     }
     return out;
 }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "io/answer_path.hpp"
 #include "io/html.hpp"
 
 namespace bioprint {
@@ -12,7 +13,7 @@ namespace {
 /// The paths of the plain values of an answer's input: "input.radius", "input.ink.alpha".
 void collect_paths(const Json& object, const std::string& path, std::vector<std::string>& paths) {
     for (const auto& [name, value] : object.items()) {
-        const std::string here = path + "." + name;
+        const std::string here = member_path(path, name);
         if (value.is_object()) {
             collect_paths(value, here, paths);
         } else if (!value.is_array() && name != "source") {
@@ -107,6 +108,7 @@ std::string sweep_sections(const Json& answers) {
     for (std::size_t i = 0; i < answers.size(); ++i) {
         const Json& answer = answers[i];
         std::vector<std::string> row;
+        row.reserve(changing.size() + results.size() + 1);
         for (const std::string& path : changing) row.push_back(text_at(answer, path));
         if (changing.empty()) row.push_back(std::to_string(i + 1));
         for (const std::string& path : results) row.push_back(text_at(answer, path));
