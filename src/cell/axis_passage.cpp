@@ -25,10 +25,9 @@
 namespace bioprint {
 namespace {
 
-/// Where the inner iteration takes its last step, relative. The implicit integrator differentiates the
-/// result.
-constexpr double close_enough = 1e-3;
-constexpr double closest = 1e-9;
+/// What the iteration for the inner elongation leaves, relative; the implicit integrator multiplies it.
+constexpr double close_enough = 1e-5;
+constexpr double closest = 1e-8;
 /// The share of the elastic shortening by the quadratic shape that the flow leaves: measured on the simulated cell in
 /// the channel, whose inertia tensor has D = 0.041 (G a/μ)² for small loads; the whole would be 0.061.
 constexpr double shortening = 0.75;
@@ -93,15 +92,46 @@ class Passage {
     void be_precise() { close_enough_ = closest; }
 
     State derivative(double z, const State& y) {
+        if (z != place_) {
+            there_ = surroundings(z);
+            place_ = z;
+        }
+        return rates(there_, y, inner_elongation(there_, y));
+    }
+
+    /// The rates about a point. The inner elongation d solves d = next(d; s, y), and next depends on y but by the
+    /// balance at given viscosities: its derivatives are those of the balance over 1 − next'(d).
+    /// @param length  over which the rates change [m]
+    Linearised<4> linearise(double z, const State& y, double length) {
+        constexpr double small = 1e-6;
         const Surroundings s = surroundings(z);
-        const double inside = inner_elongation(s, y);
-        const double mu = cell_.shear_modulus;
-        const double lambda = cell_.viscosity_ratio;
-        const double per_length = 1.0 / s.velocity;
-        const double rate_over_stress = per_length / s.viscosity;
-        return {inside * per_length,
-                rate_over_stress * (5.0 / 3.0 * s.x1 - mu * y[mode1]) / (2.0 / 3.0 + lambda),
-                rate_over_stress * (35.0 / 16.0 * s.x3 - mu * y[mode3]) / (19.0 / 16.0 + lambda), per_length};
+        const double d = inner_elongation(s, y);
+        const double at_d = next(s, Balance(*this, s, y), d);
+        const double around = around_;
+        const double inside = inside_;
+        const double dd = small * (std::abs(d) + std::abs(s.elongation));
+        const double slope = dd > 0.0 ? (next(s, Balance(*this, s, y), d + dd) - at_d) / dd - 1.0 : -1.0;
+        around_ = around;
+        inside_ = inside;
+        Linearised<4> l{.value = rates(s, y, d), .jacobian = {}, .in_x = {}};
+        for (const Component j : {log_stretch, mode1, mode3}) {
+            State moved = y;
+            const double dy = small * std::max(1e-3, std::abs(y[j]));
+            moved[j] += dy;
+            const double shifted = Balance(*this, s, moved)(around, inside);
+            l.jacobian[log_stretch][j] = (shifted - at_d) / dy / -slope / s.velocity;
+        }
+        const double relaxing = -cell_.shear_modulus / (s.viscosity * s.velocity);
+        l.jacobian[mode1][mode1] = relaxing / (2.0 / 3.0 + cell_.viscosity_ratio);
+        l.jacobian[mode3][mode3] = relaxing / (19.0 / 16.0 + cell_.viscosity_ratio);
+        const double dz = small * length;
+        const Surroundings ahead = surroundings(z + dz);
+        const double shift = (next(ahead, Balance(*this, ahead, y), d) - at_d) / -slope;
+        const State there = rates(ahead, y, d + shift);
+        for (std::size_t i = 0; i < there.size(); ++i) l.in_x[i] = (there[i] - l.value[i]) / dz;
+        around_ = around;
+        inside_ = inside;
+        return l;
     }
 
     /// The state a long nozzle leaves: round, its quadratic modes steady.
@@ -114,16 +144,21 @@ class Passage {
         return y;
     }
 
+    /// All but the ink's stress, which only a state that is handed out needs.
     [[nodiscard]] AxisCellState state(double z, const State& y) const {
-        const AxisFlow here = flow_(z);
-        const double centre = rate(here.elongation);
+        const double radial = std::exp(-0.5 * y[log_stretch]);
         return {.position = z,
                 .time = y[elapsed],
-                .axial_stretch = std::exp(y[log_stretch]),
-                .radial_stretch = std::exp(-0.5 * y[log_stretch]),
+                .axial_stretch = 1.0 / (radial * radial),
+                .radial_stretch = radial,
                 .von_mises = von_mises(y),
-                .fluid_stress = viscosity_at(centre) * centre,
+                .fluid_stress = 0.0,
                 .stress_exposure = 0.0};
+    }
+    [[nodiscard]] AxisCellState with_fluid_stress(AxisCellState s) const {
+        const double centre = rate(flow_(s.position).elongation);
+        s.fluid_stress = viscosity_at(centre) * centre;
+        return s;
     }
 
     /// Volume average of |uniform + linear| stress. In a slice of the ball at height z, ρ² is distributed
@@ -242,44 +277,72 @@ class Passage {
         return std::clamp(average, at_centre - most, at_centre + most);
     }
 
-    /// d from the balance of stresses: a fixed point in the two viscosities that depend on it, by secant
-    /// steps.
-    double inner_elongation(const Surroundings& s, const State& y) {
-        const double x = y[log_stretch];
-        const double elastic = cell_.shear_modulus / 3.0 * stress_difference(y);
-        const double k = 2.0 / (3.0 * spheroid_integral(x)) - 1.0;
+    [[nodiscard]] State rates(const Surroundings& s, const State& y, double inside) const {
+        const double mu = cell_.shear_modulus;
         const double lambda = cell_.viscosity_ratio;
-        const auto balance = [&](double around, double inside) {
-            return ((s.viscosity + around * k) * s.elongation - elastic) / (inside + around * k);
-        };
-        if (!effects_.disturbed_viscosity) return balance(s.viscosity, lambda * s.viscosity);
-        if (response_.newtonian()) return balance(s.viscosity, lambda * s.viscosity);
-        const auto next = [&](double d) {
-            around_ = response_(s.elongation, d - s.elongation);
-            inside_ = lambda * viscosity_at(rate(d));
-            return balance(around_, inside_);
-        };
-        // The viscosities of the moment before are the first guess.
-        double before =
-            around_ > 0.0 ? balance(around_, inside_) : balance(s.viscosity, lambda * s.viscosity);
-        double d = next(before);
-        double step_before = d - before;
+        const double per_length = 1.0 / s.velocity;
+        const double rate_over_stress = per_length / s.viscosity;
+        return {inside * per_length,
+                rate_over_stress * (5.0 / 3.0 * s.x1 - mu * y[mode1]) / (2.0 / 3.0 + lambda),
+                rate_over_stress * (35.0 / 16.0 * s.x3 - mu * y[mode3]) / (19.0 / 16.0 + lambda), per_length};
+    }
+
+    /// The elongation inside the cell that balances the stresses, for given viscosities of the disturbance around it and
+    /// of its inside.
+    class Balance {
+      public:
+        Balance(const Passage& passage, const Surroundings& s, const State& y)
+            : drive_(s.viscosity * s.elongation - passage.cell_.shear_modulus / 3.0 * stress_difference(y)),
+              elongation_(s.elongation),
+              shape_(2.0 / (3.0 * spheroid_integral(y[log_stretch])) - 1.0) {}
+        double operator()(double around, double inside) const {
+            return (drive_ + around * shape_ * elongation_) / (inside + around * shape_);
+        }
+
+      private:
+        double drive_;
+        double elongation_;
+        double shape_;
+    };
+
+    /// The balance with the viscosities that an inner elongation makes, which are kept.
+    double next(const Surroundings& s, const Balance& balance, double inside) {
+        if (!effects_.disturbed_viscosity || response_.newtonian()) {
+            around_ = s.viscosity;
+            inside_ = cell_.viscosity_ratio * s.viscosity;
+        } else {
+            around_ = response_(s.elongation, inside - s.elongation);
+            inside_ = cell_.viscosity_ratio * viscosity_at(rate(inside));
+        }
+        return balance(around_, inside_);
+    }
+
+    /// d from the balance of stresses: a fixed point in the two viscosities that depend on it, by secant steps. The
+    /// viscosities and the slope of the moment before lead to the first.
+    double inner_elongation(const Surroundings& s, const State& y) {
+        const Balance balance(*this, s, y);
+        if (!effects_.disturbed_viscosity || response_.newtonian()) return next(s, balance, 0.0);
+        double d = around_ > 0.0 ? balance(around_, inside_)
+                                 : balance(s.viscosity, cell_.viscosity_ratio * s.viscosity);
+        double step = next(s, balance, d) - d;
         const double scale = std::abs(d) + std::abs(s.elongation);
         // The balance grows with d, so a step up means that the root lies above: the bracket strong thinning
         // needs.
         double low = -std::numeric_limits<double>::infinity();
         double high = std::numeric_limits<double>::infinity();
-        for (int i = 0; i < 80; ++i) {
-            const double step = next(d) - d;
-            if (step == 0.0) break;
+        double doubt = first_doubt;
+        for (int i = 0; i < 80 && step != 0.0; ++i) {
             (step > 0.0 ? low : high) = d;
-            const double slope = (step - step_before) / (d - before);
-            before = d;
-            step_before = step;
-            // The error a secant step leaves is the step times that of the slope: two orders below.
-            d += slope < -0.05 ? -step / slope : step;
+            const double before = d;
+            const double step_before = step;
+            d -= step / slope_;
             if (!(d > low && d < high)) d = std::isfinite(low + high) ? 0.5 * (low + high) : before + step;
-            if (std::abs(step) <= close_enough_ * scale || high - low <= 1e-14 * scale) break;
+            // What the step leaves is its length times what is not known of the slope.
+            if (doubt * std::abs(d - before) <= close_enough_ * scale || high - low <= 1e-14 * scale) break;
+            step = next(s, balance, d) - d;
+            const double slope = std::min((step - step_before) / (d - before), least_slope);
+            doubt = std::max(std::abs(slope / slope_ - 1.0), least_doubt);
+            slope_ = slope;
         }
         return d;
     }
@@ -290,9 +353,17 @@ class Passage {
     const AxisEffects& effects_;
     double least_rate_;
     DisturbedViscosity response_;
+    /// Of the slope of next(d) − d, relative: from one moment to the next, and from one secant to the next.
+    static constexpr double first_doubt = 0.2;
+    static constexpr double least_doubt = 0.01;
+    static constexpr double least_slope = -0.05;
     double close_enough_ = close_enough;
     double around_ = 0.0;  ///< viscosity the disturbance met last
     double inside_ = 0.0;  ///< and that inside the cell
+    double slope_ = -1.0;  ///< of next(d) − d over d, as met last
+    // Two stages of an explicit step lie at one place.
+    double place_ = std::numeric_limits<double>::quiet_NaN();
+    Surroundings there_{};
 };
 
 void check(const AxisCell& cell, const AxisWay& way) {
@@ -309,7 +380,10 @@ class Recorder {
   public:
     Recorder(const Passage& passage, const AxisWay& way, const State& y,
              FunctionRef<void(const AxisCellState&)> observe)
-        : passage_(passage), way_(way), observe_(observe), last_(passage.state(way.from, y)) {
+        : passage_(passage),
+          way_(way),
+          observe_(observe),
+          last_(passage.with_fluid_stress(passage.state(way.from, y))) {
         result_ = {.start = last_,
                    .peak = last_,
                    .end = last_,
@@ -324,13 +398,14 @@ class Recorder {
         constexpr int parts = 4;
         for (int i = 1; i <= parts; ++i)
             take(step, static_cast<double>(i - 1) / parts, static_cast<double>(i) / parts);
-        if (way_.observe_every <= 0.0) observe_(last_);
+        if (way_.observe_every <= 0.0) observe_(passage_.with_fluid_stress(last_));
         ++result_.steps;
         return true;
     }
 
     AxisPassage finish() {
-        result_.end = last_;
+        result_.peak = passage_.with_fluid_stress(result_.peak);
+        result_.end = passage_.with_fluid_stress(last_);
         return result_;
     }
 
@@ -373,7 +448,7 @@ class Recorder {
             const double z = std::min(way_.from + (observed_ + 1.0) * way_.observe_every, way_.to);
             if (z > step.from + to * length * (1.0 + 1e-12) || ended_) return;
             const double theta = std::clamp((z - step.from) / length, from, to);
-            AxisCellState s = passage_.state(z, step.at(theta));
+            AxisCellState s = passage_.with_fluid_stress(passage_.state(z, step.at(theta)));
             s.stress_exposure =
                 last_.stress_exposure + 0.5 * (last_.von_mises + s.von_mises) * (s.time - last_.time);
             observe_(s);
@@ -406,12 +481,17 @@ AxisPassage carry_along_axis(FunctionRef<AxisFlow(double)> flow, const Ink& ink,
     const State scale{load, load, load, duration};
     Recorder recorder(passage, way, start, observe);
     const auto f = [&](double z, const State& y) { return passage.derivative(z, y); };
-    const OdeOptions options{
-        .tolerance = way.tolerance, .first_step = 0.01 * (way.to - way.from), .max_steps = 20000};
-    // An explicit step cannot be much longer than the relaxation time.
-    const bool stiff = relaxations > 1000.0;
+    // An explicit step cannot be much longer than the relaxation time; the implicit method costs more a step and keeps
+    // below its tolerance where the cell follows the flow.
+    const bool stiff = relaxations > 400.0;
+    const OdeOptions options{.tolerance = (stiff ? 3.0 : 1.0) * way.tolerance,
+                             .first_step = 0.01 * (way.to - way.from),
+                             .max_steps = 20000};
     if (stiff) passage.be_precise();
-    const auto done = stiff ? rosenbrock<4>(f, way.from, way.to, start, scale, options, recorder)
+    const auto linearise = [&](double z, const State& y, double length) {
+        return passage.linearise(z, y, length);
+    };
+    const auto done = stiff ? rosenbrock<4>(f, linearise, way.from, way.to, start, scale, options, recorder)
                             : dormand_prince<4>(f, way.from, way.to, start, scale, options, recorder);
     if (!done.finished) throw NotConverged("cell on the axis: the integration in time gave up");
     return recorder.finish();

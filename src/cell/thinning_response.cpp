@@ -137,7 +137,7 @@ ThinningResponse::ThinningResponse(double alpha, double time_constant)
         for (std::size_t n = 0; n < levels; ++n) {
             double sum = 0.0;
             for (std::size_t i = 0; i < angles; ++i) sum += rows[i][n] * in_angle.value[m][i];
-            series_[m][n] = sum * (m == 0 ? 1.0 : 2.0) * (n == 0 ? 1.0 : 2.0) / (angles * levels);
+            series_[n][m] = sum * (m == 0 ? 1.0 : 2.0) * (n == 0 ? 1.0 : 2.0) / (angles * levels);
         }
     }
 }
@@ -159,23 +159,25 @@ double ThinningResponse::ratio(double angle, double level) const {
     // Deep in the power law the ratio no longer changes but where the ink is at rest around the cell.
     const double u = 4.0 * std::min(level, deepest_level) - 2.0;
     const double v = 2.0 * (angle / (0.5 * std::numbers::pi));
+    // Clenshaw's sum over the levels, all angles side by side, then that over the angles.
+    std::array<double, angles> rows{};
+    std::array<double, angles> before{};
+    for (std::size_t n = levels - 1; n > 0; --n) {
+        for (std::size_t m = 0; m < angles; ++m) {
+            const double next = u * rows[m] - before[m] + series_[n][m];
+            before[m] = rows[m];
+            rows[m] = next;
+        }
+    }
+    for (std::size_t m = 0; m < angles; ++m) rows[m] = 0.5 * u * rows[m] - before[m] + series_[0][m];
     double b1 = 0.0;
     double b2 = 0.0;
-    for (std::size_t m = angles; m-- > 0;) {
-        double a1 = 0.0;
-        double a2 = 0.0;
-        for (std::size_t n = levels - 1; n > 0; --n) {
-            const double a = u * a1 - a2 + series_[m][n];
-            a2 = a1;
-            a1 = a;
-        }
-        const double row = 0.5 * u * a1 - a2 + series_[m][0];
-        if (m == 0) return std::max(0.5 * v * b1 - b2 + row, least_ratio);
-        const double b = v * b1 - b2 + row;
+    for (std::size_t m = angles - 1; m > 0; --m) {
+        const double b = v * b1 - b2 + rows[m];
         b2 = b1;
         b1 = b;
     }
-    return 1.0;
+    return std::max(0.5 * v * b1 - b2 + rows[0], least_ratio);
 }
 
 double ThinningResponse::integral(double elongation, double disturbance) const {

@@ -49,7 +49,7 @@ class ThinningResponse {
     static constexpr std::size_t levels = 6;
     double alpha_;
     double time_constant_;
-    std::array<std::array<double, levels>, angles> series_{};
+    std::array<std::array<double, angles>, levels> series_{};  ///< Chebyshev
 };
 
 }  // namespace bioprint

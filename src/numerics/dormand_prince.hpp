@@ -74,6 +74,7 @@ OdeResult<N> dormand_prince(F&& f, double from, double to, OdeState<N> y, const 
     const auto part = [](double c, const OdeState<N>& k) {
         return std::pair<double, const OdeState<N>*>(c, &k);
     };
+    bool rejected = false;
     for (int steps = 0; steps < options.max_steps; ++steps) {
         const OdeState<N> k2 = f(x + h / 5, blend(h, part(1.0 / 5, k1)));
         const OdeState<N> k3 = f(x + 3 * h / 10, blend(h, part(3.0 / 40, k1), part(9.0 / 40, k2)));
@@ -97,6 +98,7 @@ OdeResult<N> dormand_prince(F&& f, double from, double to, OdeState<N> y, const 
         }
         if (!(error <= 1.0)) {  // also where the step led out of the numbers
             h *= std::isfinite(error) ? std::max(0.2, 0.9 * std::pow(error, -0.2)) : 0.2;
+            rejected = true;
             if (!(h > 1e-14 * std::max(std::abs(x), to - from)))
                 return {.y = y, .x = x, .steps = steps, .finished = false};
             continue;
@@ -119,7 +121,9 @@ OdeResult<N> dormand_prince(F&& f, double from, double to, OdeState<N> y, const 
         k1 = k7;
         if (!observe(static_cast<const OdeStep<N>&>(step)) || x >= to)
             return {.y = y, .x = x, .steps = steps + 1, .finished = true};
-        h *= std::min(5.0, 0.9 * std::pow(std::max(error, 1e-4), -0.2));
+        // Straight after a refusal a longer step would be refused as well.
+        h *= std::min(rejected ? 1.0 : 5.0, 0.85 * std::pow(std::max(error, 1e-4), -0.2));
+        rejected = false;
         if (x + 1.0001 * h >= to) h = to - x;
     }
     return {.y = y, .x = x, .steps = options.max_steps, .finished = false};

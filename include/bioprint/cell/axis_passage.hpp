@@ -73,7 +73,7 @@ struct AxisCellState {
 struct AxisWay {
     double from;
     double to;
-    double tolerance = 1e-5;  ///< of the integrator, relative
+    double tolerance = 3e-5;  ///< of the integrator, relative: leaves 2e-4 of a peak
     double observe_every =
         0;  ///< distance between calls of the observer [m]; 0: one a step of the integrator
 };

@@ -38,26 +38,45 @@ TEST_CASE("ode: the error of the Rosenbrock method follows its tolerance") {
     CHECK(error_at(1e-4, method) > 1e-8);
 }
 
-TEST_CASE("ode: the Rosenbrock method is of third order") {
-    // Steps forced by first_step and a tolerance that never bites.
-    const auto error = [](double h) {
-        const auto f = [](double x, const OdeState<1>& y) { return OdeState<1>{-y[0] * y[0] + std::cos(x)}; };
-        OdeState<1> y{0.5};
-        double x = 0.0;
-        const int n = static_cast<int>(std::lround(1.0 / h));
-        for (int i = 0; i < n; ++i) {
-            y = rosenbrock<1>(f, x, x + h, y, {1.0}, {.tolerance = 1e9, .first_step = h}, go_on).y;
-            x += h;
-        }
-        return y[0];
+TEST_CASE("ode: the Rosenbrock method is of fourth order and its extension of third") {
+    // Steps of one length, forced by first_step and a tolerance that never bites; y = tan(x + x²/2).
+    const auto f = [](double x, const OdeState<1>& y) {
+        return OdeState<1>{(1.0 + x) * (1.0 + y[0] * y[0])};
     };
-    const double exact = error(1.0 / 4096);
-    const double e1 = std::abs(error(1.0 / 16) - exact);
-    const double e2 = std::abs(error(1.0 / 32) - exact);
-    const double e3 = std::abs(error(1.0 / 64) - exact);
-    MESSAGE("errors " << e1 << " " << e2 << " " << e3);
-    CHECK(std::log2(e1 / e2) == doctest::Approx(3.0).epsilon(0.1));
-    CHECK(std::log2(e2 / e3) == doctest::Approx(3.0).epsilon(0.1));
+    const auto linearise = [&](double x, const OdeState<1>& y, double) {
+        return Linearised<1>{
+            .value = f(x, y), .jacobian = {{{2.0 * (1.0 + x) * y[0]}}}, .in_x = {1.0 + y[0] * y[0]}};
+    };
+    const auto solution = [](double x) { return std::tan(x + 0.5 * x * x); };
+    struct Errors {
+        double end;
+        double between;
+    };
+    const auto run = [&](int n) {
+        const double h = 0.8 / n;
+        OdeState<1> y{0.0};
+        Errors errors{};
+        for (int i = 0; i < n; ++i) {
+            const auto keep = [&](const OdeStep<1>& s) {
+                errors.between = std::abs(s.at(0.3)[0] - solution(s.from + 0.3 * h));
+                return true;
+            };
+            const OdeOptions options{.tolerance = 1e9, .first_step = h};
+            y = rosenbrock<1>(f, linearise, i * h, (i + 1) * h, y, {1.0}, options, keep).y;
+        }
+        errors.end = std::abs(y[0] - solution(0.8));
+        return errors;
+    };
+    const Errors e1 = run(64);
+    const Errors e2 = run(128);
+    const Errors e3 = run(256);
+    MESSAGE("errors " << e1.end << " " << e2.end << " " << e3.end << ", of the extension " << e1.between
+                      << " " << e2.between << " " << e3.between);
+    CHECK(std::log2(e1.end / e2.end) == doctest::Approx(4.0).epsilon(0.1));
+    CHECK(std::log2(e2.end / e3.end) == doctest::Approx(4.0).epsilon(0.1));
+    // A step of the extension's order 3 leaves an error of order 4.
+    CHECK(std::log2(e1.between / e2.between) > 3.6);
+    CHECK(std::log2(e2.between / e3.between) > 3.6);
 }
 
 TEST_CASE("ode: Dormand and Prince's pair is of fifth order and its extension of fourth") {
