@@ -15,10 +15,10 @@ static_assert(std::endian::native == std::endian::little, "checkpoints hold litt
 namespace bioprint {
 namespace {
 
-using Json = nlohmann::json;
+using PlainJson = nlohmann::json;
 using Bytes = std::vector<std::uint8_t>;
 
-constexpr std::string_view format_name = "bioprint-checkpoint/1";
+constexpr std::string_view checkpoint_format = "bioprint-checkpoint/1";
 
 std::string_view view(const Bytes& bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
@@ -64,17 +64,17 @@ unsigned long long checksum(std::string_view bytes, unsigned long long seed) {
 }
 
 void write_checkpoint(const std::string& path, const CheckpointParts& parts, const CheckpointParts& more) {
-    Json content = Json::object();
+    PlainJson content = PlainJson::object();
     for (const CheckpointParts* part : {&parts, &more}) {
-        for (const auto& [name, numbers] : *part) content[name] = Json::binary(bytes_of(numbers));
+        for (const auto& [name, numbers] : *part) content[name] = PlainJson::binary(bytes_of(numbers));
     }
-    Bytes inner = Json::to_cbor(content);
+    Bytes inner = PlainJson::to_cbor(content);
     content = nullptr;
     const unsigned long long sum = checksum(view(inner));
-    const Bytes outer = Json::to_cbor(Json{{"format", format_name},
-                                           {"program", program_version()},
-                                           {"checksum", sum},
-                                           {"content", Json::binary(std::move(inner))}});
+    const Bytes outer = PlainJson::to_cbor(PlainJson{{"format", checkpoint_format},
+                                                     {"program", program_version()},
+                                                     {"checksum", sum},
+                                                     {"content", PlainJson::binary(std::move(inner))}});
     WholeFile file(path);
     file.write(view(outer));
     file.commit();
@@ -83,9 +83,9 @@ void write_checkpoint(const std::string& path, const CheckpointParts& parts, con
 CheckpointParts read_checkpoint(const std::string& path) {
     const std::string text = whole(path);
     try {
-        const Json outer = Json::from_cbor(text, true, false);
+        const PlainJson outer = PlainJson::from_cbor(text, true, false);
         if (!outer.is_object()) refuse(path, "the checkpoint is cut short or damaged");
-        if (outer.at("format") != format_name) refuse(path, "is not a checkpoint of this kind");
+        if (outer.at("format") != checkpoint_format) refuse(path, "is not a checkpoint of this kind");
         if (outer.at("program") != program_version()) {
             refuse(path, "the checkpoint is of version " + outer.at("program").get<std::string>() +
                              ", whose numbers this one need not continue");
@@ -93,10 +93,10 @@ CheckpointParts read_checkpoint(const std::string& path) {
         const Bytes& inner = outer.at("content").get_binary();
         if (outer.at("checksum") != checksum(view(inner))) refuse(path, "the checkpoint is damaged");
         CheckpointParts parts;
-        const Json content = Json::from_cbor(inner);
+        const PlainJson content = PlainJson::from_cbor(inner);
         for (const auto& [name, numbers] : content.items()) parts[name] = numbers_of(numbers.get_binary());
         return parts;
-    } catch (const Json::exception&) {
+    } catch (const PlainJson::exception&) {
         refuse(path, "the checkpoint is damaged");
     }
 }

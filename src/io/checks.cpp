@@ -11,20 +11,11 @@
 namespace bioprint {
 namespace {
 
-std::string lab(double value, Dimension dimension) {
-    const LabNumber n = format_lab(value, dimension);
-    return n.unit.empty() ? n.number : n.number + " " + n.unit;
-}
-
-std::string percent(double part) {
-    return format_lab(100.0 * std::abs(part), Dimension::dimensionless, 3).number + " %";
-}
-
 /// "310 Pa (15.5 %) above": where a value stands that has no business there, or how much room it leaves.
 std::string distance(const Check& check, const CheckResult& result) {
     const double margin = *result.margin;
-    std::string text = lab(std::abs(margin), check.dimension);
-    if (check.limit != 0.0) text += " (" + percent(margin / check.limit) + ")";
+    std::string text = lab_text(std::abs(margin), check.dimension);
+    if (check.limit != 0.0) text += " (" + percent_text(std::abs(margin / check.limit), 3) + ")";
     if (margin == 0.0) return "exactly the limit";
     return text + ((margin < 0.0) == is_upper(check.relation) ? " above" : " below");
 }
@@ -90,7 +81,7 @@ std::vector<CheckResult> unanswered(const std::vector<Check>& checks) {
 std::string sentence(const Check& check, const CheckResult& result) {
     const std::string begin = check.text + (result.holds ? " holds: " : " does not hold: ");
     if (!result.value) return begin + no_value(check);
-    std::string text = begin + lab(*result.value, check.dimension);
+    std::string text = begin + lab_text(*result.value, check.dimension);
     if (result.margin) text += ", " + distance(check, result);
     return text;
 }
@@ -103,13 +94,13 @@ std::string checks_section(const std::vector<Check>& checks, const std::vector<C
         const CheckResult& result = results.at(i);
         std::string margin = "–";
         if (result.margin) {
-            margin = check.limit != 0.0
-                         ? (*result.margin < 0.0 ? "-" : "") + percent(*result.margin / check.limit)
-                         : lab(*result.margin, check.dimension);
+            margin = check.limit != 0.0 ? (*result.margin < 0.0 ? "-" : "") +
+                                              percent_text(std::abs(*result.margin / check.limit), 3)
+                                        : lab_text(*result.margin, check.dimension);
         }
         rows.push_back({check.path,
-                        std::string(symbol(check.relation)) + " " + lab(check.limit, check.dimension),
-                        result.value ? lab(*result.value, check.dimension) : "no value", margin,
+                        std::string(symbol(check.relation)) + " " + lab_text(check.limit, check.dimension),
+                        result.value ? lab_text(*result.value, check.dimension) : "no value", margin,
                         result.holds ? "holds" : "DOES NOT HOLD"});
     }
     return "\n" + table_heading("Checks", style) + table_grid(rows, 1);
@@ -156,7 +147,7 @@ std::vector<std::string> CheckTally::lines() const {
                            " of " + std::to_string(rows_) + " rows";
         if (worst.result.value) {
             line += "; the worst is row " + std::to_string(worst.row + 1) + ": " +
-                    lab(*worst.result.value, check.dimension) + ", " + distance(check, worst.result);
+                    lab_text(*worst.result.value, check.dimension) + ", " + distance(check, worst.result);
         }
         if (worst.valueless > 0) line += "; no value in " + std::to_string(worst.valueless) + " of them";
         lines.push_back(std::move(line));

@@ -70,10 +70,6 @@ char detect_separator(std::string_view text) {
     return best;
 }
 
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-
 /// The mark of a field that starts with a number with decimals; 0 when it does not.
 char decimal_mark(std::string_view field) {
     std::size_t i = field.find_first_not_of(" \"+-");

@@ -1,4 +1,5 @@
 #include "io/decimal.hpp"
+#include "io/text.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -6,6 +7,8 @@
 #include <numeric>
 #include <string>
 #include <system_error>
+
+#include "io/text.hpp"
 
 namespace bioprint {
 
@@ -15,10 +18,6 @@ constexpr std::uint64_t largest = std::uint64_t{1} << 60U;
 constexpr int extra_digits = 40;
 constexpr long largest_exponent = 99999;
 constexpr std::string_view minus_sign = "\u2212";
-
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
 
 std::optional<std::uint64_t> product(std::uint64_t a, std::uint64_t b) {
     if (b != 0 && a >= largest / b) return {};

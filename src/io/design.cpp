@@ -26,11 +26,6 @@ constexpr std::array<std::pair<std::string_view, Key>, 6> sought_words = {
      {"pressure-gradient", Key::pressure_gradient},
      {"alpha", Key::alpha}}};
 
-std::string lab(double value, Dimension dimension) {
-    const LabNumber n = format_lab(value, dimension);
-    return n.unit.empty() ? n.number : n.number + " " + n.unit;
-}
-
 /// In the place sought: where the search ends.
 double tolerance_of(DesignLine::Fineness fineness) {
     switch (fineness) {
@@ -186,7 +181,7 @@ class DesignSearch {
     }
 
     [[nodiscard]] std::string text_of(double value) const {
-        return lab(value, *info_of(question_.sought).dimension);
+        return lab_text(value, *info_of(question_.sought).dimension);
     }
 
     void settle(const Boundary& upper, const Boundary& lower) {

@@ -23,11 +23,6 @@ std::string_view outcome_name(DesignOutcome outcome) {
     return "";
 }
 
-std::string lab(double value, Dimension dimension) {
-    const LabNumber n = format_lab(value, dimension);
-    return n.unit.empty() ? n.number : n.number + " " + n.unit;
-}
-
 Json limits_array(const DesignQuestion& question, const Design& design) {
     std::vector<CheckResult> results;
     for (const LimitStand& stand : design.limits) results.push_back(stand.result);
@@ -58,7 +53,7 @@ Json design_object(const DesignQuestion& question, const Design& design) {
 std::string headline(const DesignQuestion& question, const Design& design) {
     const KeyInfo& info = info_of(question.sought);
     const std::string name(info.option);
-    const auto text = [&](double value) { return lab(value, *info.dimension); };
+    const auto text = [&](double value) { return lab_text(value, *info.dimension); };
     const std::string range = text(design.range.first) + " to " + text(design.range.second);
     const std::string side = design.largest ? "largest" : "smallest";
     switch (design.outcome) {
@@ -87,17 +82,17 @@ std::string design_section(const DesignQuestion& question, const Design& design,
                 " %";
         }
         rows.push_back({limit.path,
-                        std::string(symbol(limit.relation)) + " " + lab(limit.limit, limit.dimension),
-                        stand.result.value ? lab(*stand.result.value, limit.dimension) : "no value", margin,
-                        !stand.result.holds ? "BROKEN" : (stand.binds ? "binds" : "")});
+                        std::string(symbol(limit.relation)) + " " + lab_text(limit.limit, limit.dimension),
+                        stand.result.value ? lab_text(*stand.result.value, limit.dimension) : "no value",
+                        margin, !stand.result.holds ? "BROKEN" : (stand.binds ? "binds" : "")});
         // At the limit but for the last digits, the margin is that of the search.
         if (stand.binds && stand.result.holds) rows.back()[3] = "0";
     }
     std::string text = table_heading("Design: " + headline(question, design), style) + table_grid(rows, 1);
     if (design.kept && design.outcome == DesignOutcome::found) {
         const Dimension dimension = *info_of(question.sought).dimension;
-        text += "  kept from " + lab(design.kept->first, dimension) + " to " +
-                lab(design.kept->second, dimension) +
+        text += "  kept from " + lab_text(design.kept->first, dimension) + " to " +
+                lab_text(design.kept->second, dimension) +
                 (design.steady_flow_binds ? "; past it there is no steady flow" : "") + "\n";
     }
     if (!style.quiet) {

@@ -36,11 +36,6 @@ double row_time(const Settings& settings) {
     return (steady ? steady_row : ellipsoid_row) + (settings.has(Key::population) ? population_row : 0.0);
 }
 
-std::string lab(double value, Dimension dimension) {
-    const LabNumber n = format_lab(value, dimension, 2);
-    return n.number + " " + n.unit;
-}
-
 std::string megabytes(double bytes) {
     return format_lab(bytes / 1e6, Dimension::dimensionless, 2).number + " MB";
 }
@@ -74,8 +69,9 @@ std::string simulation_plan(const PlannedWork& work) {
                        ", " + format_lab(resolution, Dimension::dimensionless, 3).number +
                        " nodes a cell radius\n";
     if (record != nullptr) {
-        text += "time     " + lab(record->time, Dimension::time) + ", at most " +
-                lab(record->longest, Dimension::time) + " of one core on questions like this one\nerror    " +
+        text += "time     " + lab_text(record->time, Dimension::time, 2) + ", at most " +
+                lab_text(record->longest, Dimension::time, 2) +
+                " of one core on questions like this one\nerror    " +
                 format_lab(100.0 * record->error, Dimension::dimensionless, 2).number + " % at most there\n";
     } else {
         text += "time     not known: nothing like this question was measured\n";
@@ -97,8 +93,8 @@ std::string dry_run(const PlannedWork& work) {
            (piped ? std::string("not known: standard input is not read") : std::to_string(rows)) +
            "\nmodel    " + (steady ? "steady" : "ellipsoid") +
            (settings.has(Key::population) ? ", population" : "") + "\ntime     " +
-           (piped ? lab(row_time(settings) / work.jobs, Dimension::time) + " a row"
-                  : lab(time, Dimension::time)) +
+           (piped ? lab_text(row_time(settings) / work.jobs, Dimension::time, 2) + " a row"
+                  : lab_text(time, Dimension::time, 2)) +
            " with " + std::to_string(work.jobs) + (work.jobs == 1 ? " thread" : " threads") + "\nmemory   " +
            megabytes(prediction_memory) + "\n";
 }

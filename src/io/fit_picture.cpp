@@ -42,10 +42,6 @@ double viscosity(const LawFit& fit, double rate) {
     return 0.0;
 }
 
-std::string plain(double value, int digits) {
-    return format_lab(value, Dimension::dimensionless, digits).number;
-}
-
 /// The law chosen first, then the best fit by each other law.
 std::vector<const LawFit*> shown_laws(const FitAnswer& answer) {
     std::vector<const LawFit*> laws = {&answer.chosen};
@@ -62,7 +58,7 @@ std::string law_title(const LawFit& fit, const LawFit& chosen) {
     std::string title(law_name(fit.choice.law));
     if (&fit == &chosen || !fit.aicc || !chosen.aicc) return title;
     const double more = *fit.aicc - *chosen.aicc;
-    return title + " (AICc " + (more < 0.0 ? "-" : "+") + plain(std::abs(more), 2) + ")";
+    return title + " (AICc " + (more < 0.0 ? "-" : "+") + bare_text(std::abs(more), 2) + ")";
 }
 
 Axis rate_axis(const FitAnswer& answer) {
@@ -147,10 +143,10 @@ Picture fit_picture(const FitAnswer& answer) {
     const std::size_t outliers = answer.points.size() - answer.fit.points_used;
     std::string data = std::to_string(answer.fit.points_used) + " points";
     if (outliers > 0) data += ", " + std::to_string(outliers) + " left out";
-    if (answer.temperature) data += ", at " + plain(*answer.temperature, 3) + " °C";
+    if (answer.temperature) data += ", at " + bare_text(*answer.temperature, 3) + " °C";
     return {.name = "fit",
             .title = answer.name + ": " + fit_options_line(answer),
-            .subtitle = data + "; scatter " + plain(100.0 * answer.chosen.scatter, 2) + " %",
+            .subtitle = data + "; scatter " + bare_text(100.0 * answer.chosen.scatter, 2) + " %",
             .caption = "The flow curve with the laws fitted to it; below, what the law chosen leaves over.",
             .rows = {{.panels = {curve_panel(answer)}, .height = 460},
                      {.panels = {residual_panel(answer)}, .height = 260}}};

@@ -12,14 +12,6 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-std::string plain(double value, int digits = 4) {
-    return format_lab(value, Dimension::dimensionless, digits).number;
-}
-
-std::string percent(double share) {
-    return plain(100.0 * share, 2) + " %";
-}
-
 std::string line(const char* name, const std::string& text) {
     std::string head = "  " + std::string(name);
     head.resize(13, ' ');
@@ -53,9 +45,9 @@ std::string data_section(const FitAnswer& answer, TableStyle style) {
         if (interval.skipped.empty() && !same)
             text += line("columns", interval.rate + ", " + interval.viscosity);
     }
-    std::string points = std::to_string(answer.fit.points_used) + " from " + plain(answer.rate_low, 3) +
-                         " to " + plain(answer.rate_high, 3) + " 1/s";
-    if (answer.temperature) points += ", at " + plain(*answer.temperature, 3) + " °C";
+    std::string points = std::to_string(answer.fit.points_used) + " from " + bare_text(answer.rate_low, 3) +
+                         " to " + bare_text(answer.rate_high, 3) + " 1/s";
+    if (answer.temperature) points += ", at " + bare_text(*answer.temperature, 3) + " °C";
     text += line("points", points);
     std::vector<std::string> dropped;
     std::string outliers;
@@ -128,21 +120,21 @@ std::string parameters_section(const LawFit& fit, TableStyle style) {
         const auto show = [&](double value, int n) { return format_in(value, unit, n); };
         if (p.determined) {
             rows.push_back({symbol(p.name), show(p.value, digits), name, "± " + show(p.standard_error, 2),
-                            plain(100.0 * p.standard_error / std::abs(p.value), 2) + " %",
+                            bare_text(100.0 * p.standard_error / std::abs(p.value), 2) + " %",
                             show(p.low, digits) + " to " + show(p.high, digits)});
         } else {
             rows.push_back({symbol(p.name), show(p.value, 3), name, "", "", "not determined"});
         }
     }
     text += table_grid(rows, 1);
-    text += "  a point scatters by " + percent(fit.scatter) + " around the law\n";
+    text += "  a point scatters by " + percent_text(fit.scatter) + " around the law\n";
     const std::size_t n = fit.parameters.size();
     std::string pairs;
     for (std::size_t i = 0; i < n; ++i) {
         for (std::size_t j = i + 1; j < n; ++j) {
             pairs += (pairs.empty() ? "" : ", ") + symbol(fit.parameters[i].name) + "·" +
                      symbol(fit.parameters[j].name) + " " +
-                     plain(std::round(fit.correlation[i * n + j] * 1000.0) / 1000.0, 3);
+                     bare_text(std::round(fit.correlation[i * n + j] * 1000.0) / 1000.0, 3);
         }
     }
     if (!pairs.empty()) text += "  correlation: " + table_wrapped(pairs, 15) + "\n";
@@ -156,8 +148,9 @@ std::string laws_section(const FitAnswer& answer, TableStyle style) {
         std::string name(law_name(fit.choice.law));
         if (fit.choice.fit_eta_inf) name += ", eta_inf fitted";
         if (fit.choice == answer.chosen.choice) name += " *";
-        rows.push_back({name, std::to_string(fit.parameters.size()), percent(fit.scatter),
-                        fit.aicc ? plain(std::round(10.0 * (*fit.aicc - best)) / 10.0) : "too few points"});
+        rows.push_back(
+            {name, std::to_string(fit.parameters.size()), percent_text(fit.scatter),
+             fit.aicc ? bare_text(std::round(10.0 * (*fit.aicc - best)) / 10.0) : "too few points"});
     }
     return "\n" + table_heading("Laws compared (* shown above; less is better, 10 is decisive)", style) +
            table_grid(rows, 1);

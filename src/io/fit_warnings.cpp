@@ -10,19 +10,6 @@
 namespace bioprint {
 namespace {
 
-std::string brief(double value, int digits = 3) {
-    return format_lab(value, Dimension::dimensionless, digits).number;
-}
-
-std::string percent(double share) {
-    return brief(100.0 * share, 2) + " %";
-}
-
-std::string lab(double value, Dimension dimension) {
-    const LabNumber n = format_lab(value, dimension, 3);
-    return n.number + " " + n.unit;
-}
-
 /// Differences of AICc from which on a law is practically ruled out (Burnham and Anderson 2002, section 2.6).
 constexpr double ruled_out = 10.0;
 
@@ -50,12 +37,13 @@ Warning undetermined(const FitAnswer& answer, std::vector<std::string>& named) {
         std::string text = "no plateau at low shear rates: eta0 and K are not determined one by one";
         if (fit.choice.law == FittedLaw::cross && !open(fit, "alpha")) {
             const CrossConsistency m = cross_consistency(fit);
-            text += ", only eta0/K^alpha = " + brief(m.value, 4);
-            if (std::isfinite(m.standard_error)) text += " ± " + brief(m.standard_error, 2);
+            text += ", only eta0/K^alpha = " + bare_text(m.value, 4);
+            if (std::isfinite(m.standard_error)) text += " ± " + bare_text(m.standard_error, 2);
             text += " Pa s^(1-alpha)";
         }
-        text += "; eta0 is at least the " + lab(highest, Dimension::viscosity) + " measured. Within " +
-                brief(answer.rate_low) + " to " + brief(answer.rate_high) +
+        text += "; eta0 is at least the " + lab_text(highest, Dimension::viscosity, 3) +
+                " measured. Within " + bare_text(answer.rate_low, 3) + " to " +
+                bare_text(answer.rate_high, 3) +
                 " 1/s any such pair gives the same viscosity; measure at lower rates, or use --law power-law";
         return {.code = "no_plateau", .message = text};
     }
@@ -88,9 +76,10 @@ void add_undetermined(const FitAnswer& answer, std::vector<Warning>& warnings) {
         const FittedParameter& eta = constant.parameters.front();
         warnings.push_back({.code = "no_thinning",
                             .message = "no thinning within the scatter: the ink is Newtonian between " +
-                                       brief(answer.rate_low) + " and " + brief(answer.rate_high) + " 1/s, " +
-                                       lab(eta.value, Dimension::viscosity) + " ± " +
-                                       lab(eta.standard_error, Dimension::viscosity) +
+                                       bare_text(answer.rate_low, 3) + " and " +
+                                       bare_text(answer.rate_high, 3) + " 1/s, " +
+                                       lab_text(eta.value, Dimension::viscosity, 3) + " ± " +
+                                       lab_text(eta.standard_error, Dimension::viscosity, 3) +
                                        "; what thins is not determined, use --law newtonian"});
         return;
     }
@@ -135,7 +124,7 @@ void add_interval_difference(const FitAnswer& answer, std::vector<Warning>& warn
     warnings.push_back(
         {.code = "intervals_differ",
          .message = "the viscosity of interval " + std::to_string(high->first) + " lies " +
-                    percent(difference) + " above that of interval " + std::to_string(low->first) +
+                    percent_text(difference) + " above that of interval " + std::to_string(low->first) +
                     " (thixotropy, slip or drying?); fit the one that fits the print with --interval"});
 }
 
@@ -152,9 +141,9 @@ std::vector<Warning> fit_warnings(const FitAnswer& answer) {
         warnings.push_back({.code = "other_law",
                             .message = "the " + std::string(law_name(best.choice.law)) + " law" +
                                        (best.choice.fit_eta_inf ? " with eta_inf" : "") +
-                                       " describes these points better: scatter " + percent(best.scatter) +
-                                       " instead of " + percent(fit.scatter) +
-                                       "; see the comparison, --law " +
+                                       " describes these points better: scatter " +
+                                       percent_text(best.scatter) + " instead of " +
+                                       percent_text(fit.scatter) + "; see the comparison, --law " +
                                        std::string(law_name(best.choice.law)) +
                                        (best.choice.fit_eta_inf ? " --eta-inf fit" : "")});
     }
@@ -164,13 +153,13 @@ std::vector<Warning> fit_warnings(const FitAnswer& answer) {
         warnings.push_back(
             {.code = "systematic",
              .message = "the points leave the law's curve systematically (neighbours correlate by " +
-                        brief(fit.neighbour_correlation, 2) +
+                        bare_text(fit.neighbour_correlation, 2) +
                         "): the law does not quite fit, and the errors given are too small"});
     }
     if (n < 8 || answer.rate_high < 30.0 * answer.rate_low) {
         warnings.push_back({.code = "few_points",
                             .message = std::to_string(answer.fit.points_used) + " points over " +
-                                       brief(std::log10(answer.rate_high / answer.rate_low), 2) +
+                                       bare_text(std::log10(answer.rate_high / answer.rate_low), 2) +
                                        " decades of shear rate: the law outside is a guess"});
     }
     if (answer.fit.outliers_kept) {

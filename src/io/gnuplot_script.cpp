@@ -24,7 +24,7 @@ constexpr double key_sample = 62.0;    ///< of a key entry beside its text [px]
 constexpr double panel_margin = 90.0;  ///< left and right of a panel [px]
 constexpr double key_line = 1.1;       ///< character heights
 
-std::string quoted(std::string_view text) {
+std::string script_text(std::string_view text) {
     return gnuplot_text(text);
 }
 
@@ -144,7 +144,7 @@ class PanelScript {
             blocks += data_block(series, x_, y_, i);
             const auto add = [&](const std::string& how, const std::string& title) {
                 plot += (plot.empty() ? "plot " : ", \\\n     ") + std::string("$data") + std::to_string(i) +
-                        " " + how + (title.empty() ? " notitle" : " title " + quoted(title));
+                        " " + how + (title.empty() ? " notitle" : " title " + script_text(title));
             };
             // A bar is drawn through even where the line it stands on is dashed.
             if (has_bars(series) && (series.mark == Mark::line || series.mark == Mark::line_points)) {
@@ -182,14 +182,14 @@ class PanelScript {
         if (canvas_ == Canvas::terminal) {
             // Characters have no turned axis title; the unit must not get lost with it.
             const std::string title = panel_.title + (panel_.title.empty() ? "" : ": ") + y_.title;
-            return "set title " + quoted(title) + "\n" +
+            return "set title " + script_text(title) + "\n" +
                    (titles().empty() ? "unset key\n"
                                      : "set key tmargin left Left reverse samplen 3 maxcols 1\n");
         }
         const double title = panel_.title.empty() ? 1.0 : 2.4;
         std::string out = "set tmargin " + num(key_line * lines + title) + "\n";
         if (!panel_.title.empty()) {
-            out += "set label " + quoted(panel_.title) + " at graph 0, graph 1 offset 0," +
+            out += "set label " + script_text(panel_.title) + " at graph 0, graph 1 offset 0," +
                    num(key_line * key_lines() + title - 1.0) + " left font '," +
                    num(font_size(canvas_, 14.0)) + "'\n";
         }
@@ -215,7 +215,7 @@ class PanelScript {
             const char* const side = label.anchor == Anchor::left    ? " left"
                                      : label.anchor == Anchor::right ? " right"
                                                                      : " center";
-            out += "set label " + quoted(label.text) + " at first " + num(x_(label.x)) + ", first " +
+            out += "set label " + script_text(label.text) + " at first " + num(x_(label.x)) + ", first " +
                    num(y_(label.y)) + side + " tc rgb '#333333' front\n";
         }
         return out;
@@ -249,7 +249,7 @@ std::string terminal_command(const Picture& picture, Canvas canvas, const Canvas
     switch (canvas) {
         case Canvas::svg:
             return "set terminal svg noenhanced size " + pixels(1) +
-                   " font 'sans-serif,13' background rgb 'white' name " + quoted(picture.name) + "\n";
+                   " font 'sans-serif,13' background rgb 'white' name " + script_text(picture.name) + "\n";
         case Canvas::png:
             return "set terminal pngcairo noenhanced size " + pixels(2) +
                    " fontscale 2 linewidth 2 pointscale 2 font 'Sans,9.75' background rgb 'white'\n";
@@ -280,8 +280,8 @@ std::string gnuplot_script(const Picture& picture, Canvas canvas, const CanvasSi
             "set style fill transparent solid 0.12\nset multiplot\n";
         if (!picture.title.empty()) {
             const auto line = [&](const char* number, const std::string& text, double below, double pixels) {
-                return "set label " + std::string(number) + " " + quoted(text) + " at screen 0.012, screen " +
-                       num(1.0 - below / height_of(picture)) + " left font '," +
+                return "set label " + std::string(number) + " " + script_text(text) +
+                       " at screen 0.012, screen " + num(1.0 - below / height_of(picture)) + " left font '," +
                        num(font_size(canvas, pixels)) + "' tc rgb '#222222'\n";
             };
             out += line("1", picture.title, 0.55 * title_height, 15.0);

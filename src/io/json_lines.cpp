@@ -12,22 +12,24 @@ namespace bioprint {
 
 namespace {
 
-using Json = nlohmann::json;
+using PlainJson = nlohmann::json;
 
 /// Watches a parse and stops it at the first key that comes twice, or at too deep a level.
 class Watch {
   public:
     explicit Watch(const std::string& what) : what_(what) {}
 
-    bool operator()(int depth, Json::parse_event_t event, Json& value) {
-        if (event == Json::parse_event_t::object_start || event == Json::parse_event_t::array_start) {
+    bool operator()(int depth, PlainJson::parse_event_t event, PlainJson& value) {
+        if (event == PlainJson::parse_event_t::object_start ||
+            event == PlainJson::parse_event_t::array_start) {
             if (depth >= deepest_json) {
                 throw UsageError(what_ + ": more than " + std::to_string(deepest_json) + " levels of JSON");
             }
             keys_.emplace_back();
-        } else if (event == Json::parse_event_t::object_end || event == Json::parse_event_t::array_end) {
+        } else if (event == PlainJson::parse_event_t::object_end ||
+                   event == PlainJson::parse_event_t::array_end) {
             keys_.pop_back();
-        } else if (event == Json::parse_event_t::key) {
+        } else if (event == PlainJson::parse_event_t::key) {
             const auto& key = value.get_ref<const std::string&>();
             if (!keys_.back().insert(key).second)
                 throw UsageError(what_ + ": the key " + in_quotes(key) + " comes twice");
@@ -46,14 +48,14 @@ bool is_blank(std::string_view text) {
 
 }  // namespace
 
-Json parse_json(std::string_view text, const std::string& what) {
+PlainJson parse_json(std::string_view text, const std::string& what) {
     Watch watch(what);
     try {
-        return Json::parse(text.begin(), text.end(), std::ref(watch));
-    } catch (const Json::parse_error& error) {
+        return PlainJson::parse(text.begin(), text.end(), std::ref(watch));
+    } catch (const PlainJson::parse_error& error) {
         const std::size_t column = std::min(error.byte, text.size() + 1);
         throw UsageError(what + ": not JSON at byte " + std::to_string(column));
-    } catch (const Json::out_of_range&) {
+    } catch (const PlainJson::out_of_range&) {
         throw UsageError(what + ": a number that no double-precision number can hold");
     }
 }

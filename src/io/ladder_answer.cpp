@@ -48,7 +48,7 @@ QuestionKind kind_of(const Prediction& prediction, const std::optional<SceneKind
 }
 
 std::string percent(const std::optional<double>& error) {
-    return error ? format_lab(100.0 * *error, Dimension::dimensionless, 2).number + " %" : "not known";
+    return error ? percent_text(*error) : "not known";
 }
 
 std::string duration(const std::optional<double>& time) {

@@ -10,10 +10,6 @@
 namespace bioprint {
 namespace {
 
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-
 /// Removes the marks between thousands where the number has them; false where they are misplaced.
 bool without_thousands(std::string& number, char mark, char decimal) {
     const std::size_t whole_end =

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <span>
+#include <utility>
 
 namespace bioprint {
 
@@ -165,6 +166,19 @@ std::string format_in(double value, const LabUnit& unit, int digits) {
 LabNumber format_lab(double value, Dimension dimension, int digits) {
     const LabUnit& unit = choose_lab_unit(value, dimension, digits);
     return {.number = format_in(value, unit, digits), .unit = std::string(unit.name)};
+}
+
+std::string lab_text(double value, Dimension dimension, int digits) {
+    LabNumber n = format_lab(value, dimension, digits);
+    return n.unit.empty() ? std::move(n.number) : std::move(n.number).append(" ").append(n.unit);
+}
+
+std::string bare_text(double value, int digits) {
+    return format_lab(value, Dimension::dimensionless, digits).number;
+}
+
+std::string percent_text(double share, int digits) {
+    return bare_text(100.0 * share, digits).append(" %");
 }
 
 }  // namespace bioprint

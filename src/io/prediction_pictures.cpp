@@ -16,11 +16,6 @@ namespace {
 constexpr int profile_points = 121;
 constexpr const char* spread_words = ", 5 to 95 %";
 
-std::string lab(double value, Dimension dimension, int digits = 3) {
-    const LabNumber n = format_lab(value, dimension, digits);
-    return n.unit.empty() ? n.number : n.number + " " + n.unit;
-}
-
 Series curve(std::string title, const std::vector<double>& x, const std::vector<double>& y, int style) {
     return {.title = std::move(title), .x = x, .y = y, .style = style};
 }
@@ -237,15 +232,16 @@ PictureData picture_data(Case question, Json answer) {
 
 std::string picture_title(const PictureData& data) {
     const Case& question = data.question;
-    const std::string radius = "R " + lab(question.radius, Dimension::length);
+    const std::string radius = "R " + lab_text(question.radius, Dimension::length, 3);
     const std::string nozzle = question.needle ? question.needle->name + " (" + radius + ")" : radius;
-    return nozzle + ", " + lab(data.prediction.nozzle.flow_rate, Dimension::volume_flow);
+    return nozzle + ", " + lab_text(data.prediction.nozzle.flow_rate, Dimension::volume_flow, 3);
 }
 
 std::string picture_subtitle(const PictureData& data) {
     const CellChoice& cell = data.question.cell;
     return "ink " + data.question.ink.name + ": " + ink_text(data.question.ink.law) + "; cell " + cell.name +
-           ": R " + lab(cell.radius, Dimension::length) + ", " + lab(cell.shear_modulus, Dimension::pressure);
+           ": R " + lab_text(cell.radius, Dimension::length, 3) + ", " +
+           lab_text(cell.shear_modulus, Dimension::pressure, 3);
 }
 
 Picture profile_picture(const PictureData& data) {

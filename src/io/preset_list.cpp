@@ -14,9 +14,7 @@ namespace {
 using Row = std::vector<std::string>;
 
 std::string lab(const std::optional<double>& value, Dimension dimension) {
-    if (!value) return "-";
-    const LabNumber n = format_lab(*value, dimension);
-    return n.unit.empty() ? n.number : n.number + " " + n.unit;
+    return value ? lab_text(*value, dimension) : "-";
 }
 
 std::size_t width_of(std::string_view text) {

@@ -16,7 +16,7 @@ namespace bioprint {
 
 namespace {
 
-using Json = nlohmann::json;
+using PlainJson = nlohmann::json;
 
 struct Value {
     double value;
@@ -28,7 +28,7 @@ enum class Sign { positive, not_negative };
 /// An object of the file with the path that leads to it.
 class Node {
   public:
-    Node(const Json& json, std::string path) : json_(json), path_(std::move(path)) {
+    Node(const PlainJson& json, std::string path) : json_(json), path_(std::move(path)) {
         if (!json_.is_object()) fail("", "is not an object");
     }
 
@@ -87,7 +87,7 @@ class Node {
     /// {"value": …, "unit": …, "sd": …}, a text with a unit, or a number in SI.
     [[nodiscard]] std::optional<Value> quantity(const char* key, Dimension dimension, Sign sign) const {
         if (!has(key)) return {};
-        const Json& json = json_[key];
+        const PlainJson& json = json_[key];
         Value result{.value = 0.0, .sd = {}};
         if (json.is_string()) {
             result.value = parse_quantity(json.get_ref<const std::string&>(), dimension, name_of(key));
@@ -128,7 +128,7 @@ class Node {
         return path_ + (path_.ends_with(": ") ? "" : ".") + std::string(key);
     }
 
-    const Json& json_;
+    const PlainJson& json_;
     std::string path_;
 };
 
@@ -276,7 +276,7 @@ NozzlePreset read_nozzle(const Node& node) {
 
 template <typename Preset>
 Preset read_text(std::string_view text, const std::string& what, Preset (*read)(const Node&)) {
-    const Json json = parse_json(text, what);
+    const PlainJson json = parse_json(text, what);
     return read(Node(json, what + ": "));
 }
 
@@ -295,7 +295,7 @@ NozzlePreset read_nozzle_text(std::string_view json, const std::string& what) {
 }
 
 InkPreset read_single_ink(std::string_view text, const std::string& what) {
-    const Json json = parse_json(text, what);
+    const PlainJson json = parse_json(text, what);
     const Node root(json, what + ": ");
     if (!root.has("inks")) return read_ink(root);
     const auto inks = root.objects("inks");

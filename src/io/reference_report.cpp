@@ -11,10 +11,6 @@
 namespace bioprint {
 namespace {
 
-std::string brief(double value) {
-    return format_lab(value, Dimension::dimensionless, 2).number;
-}
-
 double relative(double value, double reference) {
     return reference == 0.0 ? std::abs(value) : std::abs(value / reference - 1.0);
 }
@@ -29,9 +25,9 @@ std::string reference_report(const Settings& settings) {
     const FlowCheck check = check_flow(flow);
     std::string report =
         "flow against adaptive quadrature: u_avg differs by " +
-        brief(relative(prediction.nozzle.velocity_average, check.velocity_average)) + ", u_max - u_avg by " +
-        brief(relative(flow.velocity_excess(), check.velocity_excess)) +
-        " (relative); the quadrature's own error estimate is " + brief(check.relative_error) + "\n";
+        bare_text(relative(prediction.nozzle.velocity_average, check.velocity_average), 2) +
+        ", u_max - u_avg by " + bare_text(relative(flow.velocity_excess(), check.velocity_excess), 2) +
+        " (relative); the quadrature's own error estimate is " + bare_text(check.relative_error, 2) + "\n";
     for (const CellAnswer& cell : prediction.cells) {
         if (cell.model != Model::roscoe_shear || flow.shear_rate(cell.offset) == 0.0) continue;
         const ShearLoad load{.fluid_stress = cell.fluid_stress,
@@ -40,9 +36,10 @@ std::string reference_report(const Settings& settings) {
                              .viscosity_ratio = question.cell.viscosity_ratio};
         const ShearResidual residual = shear_residual(load, roscoe_shear(load));
         report +=
-            "cell at " + brief(cell.offset * 1e6) + " um: Roscoe's equations hold to " +
-            brief(std::max({std::abs(residual.shape), std::abs(residual.torque), std::abs(residual.load)})) +
-            "; the quadrature's own error estimate is " + brief(residual.quadrature_error) + "\n";
+            "cell at " + bare_text(cell.offset * 1e6, 2) + " um: Roscoe's equations hold to " +
+            bare_text(
+                std::max({std::abs(residual.shape), std::abs(residual.torque), std::abs(residual.load)}), 2) +
+            "; the quadrature's own error estimate is " + bare_text(residual.quadrature_error, 2) + "\n";
     }
     return report;
 }

@@ -82,10 +82,6 @@ std::string input_section(const Json& input) {
     return out;
 }
 
-std::string number_or_dash(const Json& value, std::string_view path) {
-    return value.is_number() ? spoken_value(value, path) : "–";
-}
-
 /// By place along the way and distance from the axis; the value carried in time before the steady one.
 std::vector<const Json*> cells_in_order(const Json& cells) {
     std::vector<const Json*> order;

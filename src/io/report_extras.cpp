@@ -16,14 +16,6 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-std::string percent(double part) {
-    return format_lab(100.0 * part, Dimension::dimensionless, 2).number + " %";
-}
-
-std::string number_or_dash(const Json& value, std::string_view path) {
-    return value.is_number() ? spoken_value(value, path) : "–";
-}
-
 std::string with_unit(double value, Dimension dimension, int digits) {
     const LabNumber n = format_lab(value, dimension, digits);
     return n.unit.empty() ? n.number : n.number + " " + n.unit;
@@ -64,7 +56,7 @@ std::string shares_table(const std::vector<NamedSpread>& spreads, const Json& in
     for (const NamedSpread& row : spreads) {
         rows.push_back({std::string(row.label)});
         for (const auto& item : row.spread->at("first_order").items()) {
-            rows.back().push_back(percent(item.value().get<double>()));
+            rows.back().push_back(percent_text(item.value().get<double>()));
         }
     }
     return html_table(head, rows);
@@ -84,7 +76,7 @@ std::string report_checks(const Json& answer) {
         };
         const Json& margin = check.at("relative_margin");
         rows.push_back({path, check.at("relation").get<std::string>() + " " + number("limit"),
-                        number("value"), margin.is_number() ? percent(margin.get<double>()) : "–",
+                        number("value"), margin.is_number() ? percent_text(margin.get<double>()) : "–",
                         check.at("holds").get<bool>() ? "holds" : "does not hold"});
     }
     return "<h2>Checks</h2>\n" + html_table({"", "limit", "value", "margin", ""}, rows);

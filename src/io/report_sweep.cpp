@@ -129,4 +129,8 @@ std::string sweep_sections(const Json& answers) {
                 : "");
 }
 
+std::string number_or_dash(const Json& value, std::string_view path) {
+    return value.is_number() ? spoken_value(value, path) : "–";
+}
+
 }  // namespace bioprint

@@ -14,6 +14,7 @@
 
 #include "bioprint/errors.hpp"
 #include "bioprint/io/answer.hpp"
+#include "io/answer_object.hpp"
 #include "io/byte_source.hpp"
 #include "io/whole_file.hpp"
 
@@ -21,9 +22,8 @@ namespace bioprint {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
-constexpr std::string_view format_name = "bioprint-run/1";
+constexpr std::string_view run_format = "bioprint-run/1";
 constexpr const char* question_file = "question.json";
 constexpr const char* checkpoint_file = "checkpoint.cbor";
 constexpr const char* lock_file = "lock";
@@ -88,7 +88,7 @@ Json read_question(const std::string& directory) {
     while (const std::size_t count = source->read(piece.data(), piece.size()))
         text.append(piece.data(), count);
     Json question = Json::parse(text, nullptr, false);
-    if (!question.is_object() || question.value("format", "") != format_name) {
+    if (!question.is_object() || question.value("format", "") != run_format) {
         throw DataError(path + ": is not the question of a run; begin another run with --out");
     }
     return question;
@@ -200,7 +200,7 @@ RunDirectory RunDirectory::begin(const std::string& path, const TypedQuestion& q
     Json options = Json::array();
     for (const TypedOption& option : question) options.push_back({option.name, option.text});
     try {
-        const Json text = {{"format", format_name},
+        const Json text = {{"format", run_format},
                            {"program", {{"name", program_name}, {"version", program_version()}}},
                            {"options", options},
                            {"files", remember_files(directory, question)}};

@@ -162,16 +162,11 @@ const ValueName& label_of(std::string_view name) {
     return found == names.end() ? unknown : *found;
 }
 
-std::string lab(double value, Dimension dimension) {
-    const LabNumber n = format_lab(value, dimension);
-    return n.unit.empty() ? n.number : n.number + " " + n.unit;
-}
-
 std::string shown(double value, const ValueName& name) {
     if (name.name == "angle") {
         return format_lab(value * 180.0 / std::numbers::pi, Dimension::dimensionless).number + " °";
     }
-    return lab(value, name.dimension);
+    return lab_text(value, name.dimension);
 }
 
 /// Off the axis the three stretches are those of the ellipsoid's own axes.
@@ -186,8 +181,9 @@ std::string label_in(const SimulationResult& run, const ValueName& name) {
 /// "exit", "channel, cell 24 µm off the axis, flow rate kept", "shear at 300 Pa".
 std::string scene_title(const SimulationResult& run) {
     std::string title(scene_name(run.scene));
-    if (run.scene == SceneKind::shear) return title + " at " + lab(run.fluid_stress, Dimension::pressure);
-    if (run.offset > 0.0) title += ", cell " + lab(run.offset, Dimension::length) + " off the axis";
+    if (run.scene == SceneKind::shear)
+        return title + " at " + lab_text(run.fluid_stress, Dimension::pressure);
+    if (run.offset > 0.0) title += ", cell " + lab_text(run.offset, Dimension::length) + " off the axis";
     if (run.scene == SceneKind::channel) {
         title += run.drive == ChannelDrive::flow_rate ? ", flow rate kept" : ", pressure gradient kept";
     }
@@ -214,11 +210,11 @@ std::string simulation_table(const Comparison& comparison, const SimulationQuest
                          " %"
                    : "–"});
     }
-    std::string text = "\n" + table_heading("Simulation: " + scene_title(run), style) + table_grid(rows, 1) +
-                       "  " +
-                       format_lab(run.lattice.nodes_per_cell_radius, Dimension::dimensionless, 3).number +
-                       " nodes a cell radius (" + std::string(fidelity_name(question)) + "), " +
-                       std::to_string(run.steps) + " steps in " + lab(run.wall_time, Dimension::time) + "\n";
+    std::string text =
+        "\n" + table_heading("Simulation: " + scene_title(run), style) + table_grid(rows, 1) + "  " +
+        format_lab(run.lattice.nodes_per_cell_radius, Dimension::dimensionless, 3).number +
+        " nodes a cell radius (" + std::string(fidelity_name(question)) + "), " + std::to_string(run.steps) +
+        " steps in " + lab_text(run.wall_time, Dimension::time) + "\n";
     if (!style.quiet) {
         for (const SimulationWarning& warning : run.warnings) text += "  - " + warning.message + "\n";
     }

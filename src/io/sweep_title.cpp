@@ -17,11 +17,6 @@ bool swept(const Sweep& sweep, std::initializer_list<Key> keys) {
     });
 }
 
-std::string lab(double value, Dimension dimension) {
-    const LabNumber n = format_lab(value, dimension, 3);
-    return n.unit.empty() ? n.number : n.number + " " + n.unit;
-}
-
 /// The first row that is a case, for what all have in common.
 std::optional<Case> a_case(const Sweep& sweep) {
     for (std::size_t i = 0; i < sweep.size(); ++i) {
@@ -37,13 +32,13 @@ std::optional<Case> a_case(const Sweep& sweep) {
 std::string drive_text(const Case& question) {
     switch (question.drive) {
         case Drive::flow_rate:
-            return lab(question.drive_value, Dimension::volume_flow);
+            return lab_text(question.drive_value, Dimension::volume_flow, 3);
         case Drive::velocity:
-            return lab(question.drive_value, Dimension::velocity) + " on average";
+            return lab_text(question.drive_value, Dimension::velocity, 3) + " on average";
         case Drive::pressure_gradient:
-            return lab(question.drive_value, Dimension::pressure_gradient);
+            return lab_text(question.drive_value, Dimension::pressure_gradient, 3);
         case Drive::pressure:
-            return lab(question.drive_value, Dimension::pressure);
+            return lab_text(question.drive_value, Dimension::pressure, 3);
     }
     return {};
 }
@@ -66,7 +61,7 @@ std::string sweep_subtitle(const Sweep& sweep) {
     const auto add = [&](const std::string& part) { text += (text.empty() ? "" : "; ") + part; };
     if (!swept(sweep, {Key::radius, Key::diameter, Key::needle, Key::tip})) {
         add((question->needle ? question->needle->name + ", " : "") + "R " +
-            lab(question->radius, Dimension::length));
+            lab_text(question->radius, Dimension::length, 3));
     }
     if (!swept(sweep, {Key::flow_rate, Key::velocity, Key::pressure_gradient, Key::pressure})) {
         add(drive_text(*question));
@@ -78,8 +73,8 @@ std::string sweep_subtitle(const Sweep& sweep) {
         add("ink " + question->ink.name + (parameters ? "" : ": " + ink_text(question->ink.law)));
     }
     if (!swept(sweep, {Key::cell, Key::cell_radius, Key::shear_modulus})) {
-        add("cell " + question->cell.name + ": R " + lab(question->cell.radius, Dimension::length) + ", " +
-            lab(question->cell.shear_modulus, Dimension::pressure));
+        add("cell " + question->cell.name + ": R " + lab_text(question->cell.radius, Dimension::length, 3) +
+            ", " + lab_text(question->cell.shear_modulus, Dimension::pressure, 3));
     }
     return text;
 }

@@ -25,15 +25,6 @@ std::string padded(const std::string& text, std::size_t width, bool left) {
     return left ? text + space : space + text;
 }
 
-std::string lab(double value, Dimension dimension) {
-    const LabNumber n = format_lab(value, dimension);
-    return n.unit.empty() ? n.number : n.number + " " + n.unit;
-}
-
-std::string plain(double value, int digits = 4) {
-    return format_lab(value, Dimension::dimensionless, digits).number;
-}
-
 std::string heading(std::string_view text, TableStyle style) {
     return style.color ? "\033[1m" + std::string(text) + "\033[0m\n" : std::string(text) + "\n";
 }
@@ -102,12 +93,12 @@ std::string grid(const std::vector<std::vector<std::string>>& rows, std::size_t 
 std::string input_section(const Prediction& prediction, TableStyle style) {
     const Case& question = prediction.question;
     const std::string ink = question.ink.name + ": " + ink_text(question.ink.law);
-    std::string cell = question.cell.name + ": radius " + lab(question.cell.radius, Dimension::length) +
-                       ", shear modulus " + lab(question.cell.shear_modulus, Dimension::pressure);
+    std::string cell = question.cell.name + ": radius " + lab_text(question.cell.radius, Dimension::length) +
+                       ", shear modulus " + lab_text(question.cell.shear_modulus, Dimension::pressure);
     if (question.cell.viscosity_ratio != 1.0)
-        cell += ", viscosity ratio " + plain(question.cell.viscosity_ratio);
-    std::string nozzle = "radius " + lab(question.radius, Dimension::length);
-    if (question.length) nozzle += ", length " + lab(*question.length, Dimension::length);
+        cell += ", viscosity ratio " + bare_text(question.cell.viscosity_ratio);
+    std::string nozzle = "radius " + lab_text(question.radius, Dimension::length);
+    if (question.length) nozzle += ", length " + lab_text(*question.length, Dimension::length);
     if (question.needle) nozzle += " (" + question.needle->name + ")";
     const auto line = [](const char* name, const std::string& text) {
         return "  " + padded(name, 8, true) + wrapped(text, 10) + "\n";
@@ -117,28 +108,28 @@ std::string input_section(const Prediction& prediction, TableStyle style) {
 
 std::string nozzle_section(const NozzleAnswer& nozzle, TableStyle style) {
     std::vector<Entry> entries = {
-        {"flow rate", lab(nozzle.flow_rate, Dimension::volume_flow)},
-        {"pressure gradient", lab(nozzle.pressure_gradient, Dimension::pressure_gradient)},
-        {"average velocity", lab(nozzle.velocity_average, Dimension::velocity)},
-        {"largest velocity", lab(nozzle.velocity_max, Dimension::velocity)},
-        {"average stress", lab(nozzle.stress_average, Dimension::pressure)},
-        {"stress at the wall", lab(nozzle.stress_max, Dimension::pressure)},
-        {"average shear rate", lab(nozzle.shear_rate_average, Dimension::rate)},
-        {"shear rate at wall", lab(nozzle.shear_rate_max, Dimension::rate)},
-        {"viscosity at wall", lab(nozzle.viscosity_wall, Dimension::viscosity)}};
+        {"flow rate", lab_text(nozzle.flow_rate, Dimension::volume_flow)},
+        {"pressure gradient", lab_text(nozzle.pressure_gradient, Dimension::pressure_gradient)},
+        {"average velocity", lab_text(nozzle.velocity_average, Dimension::velocity)},
+        {"largest velocity", lab_text(nozzle.velocity_max, Dimension::velocity)},
+        {"average stress", lab_text(nozzle.stress_average, Dimension::pressure)},
+        {"stress at the wall", lab_text(nozzle.stress_max, Dimension::pressure)},
+        {"average shear rate", lab_text(nozzle.shear_rate_average, Dimension::rate)},
+        {"shear rate at wall", lab_text(nozzle.shear_rate_max, Dimension::rate)},
+        {"viscosity at wall", lab_text(nozzle.viscosity_wall, Dimension::viscosity)}};
     if (nozzle.pressure_drop)
-        entries.emplace_back("pressure drop", lab(*nozzle.pressure_drop, Dimension::pressure));
+        entries.emplace_back("pressure drop", lab_text(*nozzle.pressure_drop, Dimension::pressure));
     if (nozzle.residence_time)
-        entries.emplace_back("residence time", lab(*nozzle.residence_time, Dimension::time));
+        entries.emplace_back("residence time", lab_text(*nozzle.residence_time, Dimension::time));
     if (nozzle.plug_radius)
-        entries.emplace_back("radius of the plug", lab(*nozzle.plug_radius, Dimension::length));
+        entries.emplace_back("radius of the plug", lab_text(*nozzle.plug_radius, Dimension::length));
     return "\n" + heading("In the nozzle", style) + two_columns(entries);
 }
 
 std::string exit_section(const ExitAnswer& exit, TableStyle style) {
     return "\n" + heading("At the exit", style) +
-           two_columns({{"elongation rate", lab(exit.elongation_rate, Dimension::rate)},
-                        {"elongational stress", lab(exit.elongational_stress, Dimension::pressure)}});
+           two_columns({{"elongation rate", lab_text(exit.elongation_rate, Dimension::rate)},
+                        {"elongational stress", lab_text(exit.elongational_stress, Dimension::pressure)}});
 }
 
 std::string_view model_label(Model model) {
@@ -182,11 +173,13 @@ std::string cells_section(const Prediction& prediction, TableStyle style) {
         const CellAnswer& cell = **entry;
         const bool second = entry != order.begin() && is_steady_twin(cell, **(entry - 1));
         const auto stress = [&](double value) { return format_in(value, unit, 4); };
-        const auto stretch = [&](std::size_t i) { return cell.stretch ? plain((*cell.stretch)[i]) : "–"; };
-        rows.push_back({cell.place == Place::nozzle ? "nozzle" : "exit", plain(cell.offset * 1e6),
+        const auto stretch = [&](std::size_t i) {
+            return cell.stretch ? bare_text((*cell.stretch)[i]) : "–";
+        };
+        rows.push_back({cell.place == Place::nozzle ? "nozzle" : "exit", bare_text(cell.offset * 1e6),
                         stress(cell.fluid_stress), cell.stress ? stress(cell.stress->von_mises) : "–",
                         cell.stress ? stress(cell.stress->viscous) : "–", stretch(0), stretch(1), stretch(2),
-                        cell.angle ? plain(*cell.angle * 180.0 / std::numbers::pi, 3) : "–",
+                        cell.angle ? bare_text(*cell.angle * 180.0 / std::numbers::pi, 3) : "–",
                         second ? "(steady)" : std::string(model_label(cell.model))});
     }
     return "\n" + heading("Cells: stress of the ink, stress and stretch of the cell", style) + grid(rows, 1);
@@ -209,13 +202,13 @@ std::string passages_section(const Prediction& prediction, TableStyle style) {
     }
     for (const PassageAnswer& p : prediction.passages) {
         const auto stress = [&](double value) { return format_in(value, unit, 4); };
-        rows.push_back({plain(p.offset * 1e6), stress(p.von_mises),
+        rows.push_back({bare_text(p.offset * 1e6), stress(p.von_mises),
                         p.place == Place::nozzle ? "nozzle" : "exit",
-                        p.position ? plain(*p.position * 1e6) : "–", stress(p.nozzle_peak),
+                        p.position ? bare_text(*p.position * 1e6) : "–", stress(p.nozzle_peak),
                         stress(p.nozzle_steady), stress(p.exit_peak)});
         if (!has_length) continue;
-        rows.back().push_back(p.settling_time ? lab(*p.settling_time, Dimension::time) : "not");
-        rows.back().push_back(plain(p.nozzle_exposure.value_or(0.0) + p.exit_exposure));
+        rows.back().push_back(p.settling_time ? lab_text(*p.settling_time, Dimension::time) : "not");
+        rows.back().push_back(bare_text(p.nozzle_exposure.value_or(0.0) + p.exit_exposure));
     }
     return "\n" + heading("Way of each cell: its largest von Mises stress, and where", style) + grid(rows, 0);
 }
@@ -226,13 +219,14 @@ std::string published_text(const Prediction& prediction) {
     if (limits.empty()) return {};
     std::string text = "published for " + prediction.question.cell.name + ", as context:";
     for (const PublishedLimit& limit : limits) {
-        text += " " + plain(100.0 * limit.viability, 3) + " % survive a wall stress of " +
-                lab(limit.wall_stress, Dimension::pressure) + " for " + lab(limit.duration, Dimension::time) +
-                ";";
+        text += " " + bare_text(100.0 * limit.viability, 3) + " % survive a wall stress of " +
+                lab_text(limit.wall_stress, Dimension::pressure) + " for " +
+                lab_text(limit.duration, Dimension::time) + ";";
     }
     const NozzleAnswer& nozzle = prediction.nozzle;
-    text += " here the wall stress is " + lab(nozzle.stress_max, Dimension::pressure);
-    if (nozzle.residence_time) text += ", the mean residence " + lab(*nozzle.residence_time, Dimension::time);
+    text += " here the wall stress is " + lab_text(nozzle.stress_max, Dimension::pressure);
+    if (nozzle.residence_time)
+        text += ", the mean residence " + lab_text(*nozzle.residence_time, Dimension::time);
     return "  " + wrapped(text + " (" + limits.front().source + ")", 2) + "\n";
 }
 
@@ -244,16 +238,17 @@ std::string population_section(const Prediction& prediction, TableStyle style) {
         rows.push_back({name, show(d.mean), show(d.median), show(d.percentile_90), show(d.percentile_95),
                         show(d.percentile_99), show(d.largest)});
     };
-    row("peak stress", population.peak_stress, [](double value) { return lab(value, Dimension::pressure); });
+    row("peak stress", population.peak_stress,
+        [](double value) { return lab_text(value, Dimension::pressure); });
     if (population.exposure) {
-        row("exposure [Pa s]", *population.exposure, [](double value) { return plain(value); });
+        row("exposure [Pa s]", *population.exposure, [](double value) { return bare_text(value); });
     }
     std::string text = "\n" + heading("Population: all cells of the print", style) + grid(rows, 1);
     for (std::size_t i = 0; i < thresholds.size(); ++i) {
-        text += "  above " + lab(thresholds[i], Dimension::pressure) + ": " +
-                plain(100.0 * population.share_above.at(i), 3) + " % of the cells\n";
+        text += "  above " + lab_text(thresholds[i], Dimension::pressure) + ": " +
+                bare_text(100.0 * population.share_above.at(i), 3) + " % of the cells\n";
     }
-    return text + "  " + plain(100.0 * population.share_peaking_at_exit, 3) +
+    return text + "  " + bare_text(100.0 * population.share_peaking_at_exit, 3) +
            " % of the cells bear their largest stress at the exit\n" + published_text(prediction);
 }
 
@@ -261,8 +256,9 @@ std::string profile_section(const RadialProfile& profile, TableStyle style) {
     std::vector<std::vector<std::string>> rows = {{"r", "velocity", "shear rate", "viscosity", "stress"},
                                                   {"µm", "mm/s", "1/s", "Pa.s", "Pa"}};
     for (std::size_t i = 0; i < profile.r.size(); ++i) {
-        rows.push_back({plain(profile.r[i] * 1e6), plain(profile.velocity[i] * 1e3),
-                        plain(profile.shear_rate[i]), plain(profile.viscosity[i]), plain(profile.stress[i])});
+        rows.push_back({bare_text(profile.r[i] * 1e6), bare_text(profile.velocity[i] * 1e3),
+                        bare_text(profile.shear_rate[i]), bare_text(profile.viscosity[i]),
+                        bare_text(profile.stress[i])});
     }
     return "\n" + heading("Profile", style) + grid(rows, 0);
 }
@@ -326,7 +322,7 @@ std::vector<std::string> SweepTable::label_cells(const Settings& row) const {
     std::vector<std::string> cells;
     for (const Key key : swept_) {
         const KeyInfo& info = info_of(key);
-        cells.push_back(info.dimension ? lab(row.at(key).number, *info.dimension) : row.at(key).text);
+        cells.push_back(info.dimension ? lab_text(row.at(key).number, *info.dimension) : row.at(key).text);
     }
     return cells;
 }
@@ -335,12 +331,12 @@ void SweepTable::add(const Settings& row, const Prediction& prediction, const st
     std::vector<std::string> cells = label_cells(row);
     const double in_nozzle = nozzle_stress(prediction);
     const std::optional<double> at_exit = exit_stress(prediction);
-    cells.push_back(lab(prediction.nozzle.flow_rate, Dimension::volume_flow));
-    cells.push_back(lab(prediction.nozzle.pressure_gradient, Dimension::pressure_gradient));
-    cells.push_back(lab(prediction.nozzle.stress_max, Dimension::pressure));
-    cells.push_back(lab(prediction.exit.elongational_stress, Dimension::pressure));
-    cells.push_back(lab(in_nozzle, Dimension::pressure));
-    cells.push_back(at_exit ? lab(*at_exit, Dimension::pressure) : "–");
+    cells.push_back(lab_text(prediction.nozzle.flow_rate, Dimension::volume_flow));
+    cells.push_back(lab_text(prediction.nozzle.pressure_gradient, Dimension::pressure_gradient));
+    cells.push_back(lab_text(prediction.nozzle.stress_max, Dimension::pressure));
+    cells.push_back(lab_text(prediction.exit.elongational_stress, Dimension::pressure));
+    cells.push_back(lab_text(in_nozzle, Dimension::pressure));
+    cells.push_back(at_exit ? lab_text(*at_exit, Dimension::pressure) : "–");
     if (checks_) cells.push_back(verdict);
     rows_.push_back(std::move(cells));
     for (const Warning& warning : prediction.warnings) {

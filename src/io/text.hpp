@@ -25,6 +25,11 @@ std::string_view nearest(std::string_view word, std::span<const std::string_view
 /// The length of the UTF-8 sequence at the start of `text`: 1 to 4, or 0 when it is not valid UTF-8.
 std::size_t utf8_length(std::string_view text);
 
+/// An ASCII digit, whatever the locale.
+constexpr bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
 /// ASCII letters in lower case, every other byte as it is.
 std::string lower_case(std::string_view text);
 

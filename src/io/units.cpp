@@ -25,7 +25,7 @@ constexpr Powers duration{.second = 1};
 constexpr Powers frequency{.second = -1};
 constexpr Powers force{.kilogram = 1, .metre = 1, .second = -2};
 constexpr Powers pressure{.kilogram = 1, .metre = -1, .second = -2};
-constexpr Powers viscosity{.kilogram = 1, .metre = -1, .second = -1};
+constexpr Powers dynamic_viscosity{.kilogram = 1, .metre = -1, .second = -1};
 constexpr Powers consistency{.kilogram = 1, .metre = -1, .second = -2, .second_to_n = 1};
 
 /// Factors to SI, exact by definition: the inch is 25.4 mm, the pound-force 4.4482216152605 N, the standard
@@ -53,8 +53,8 @@ constexpr std::array<NamedUnit, 28> table = {{
     {"bar", "um", {.power = 5}, pressure},
     {"psi", "", {.numerator = 44482216152605, .denominator = 64516, .power = -5}, pressure},
     {"atm", "", {.numerator = 101325}, pressure},
-    {"P", "mc", {.power = -1}, viscosity},
-    {"Pas", "umk", {.power = 0}, viscosity},
+    {"P", "mc", {.power = -1}, dynamic_viscosity},
+    {"Pas", "umk", {.power = 0}, dynamic_viscosity},
     {"sn", "", {.power = 0}, {.second_to_n = 1}},
     {"Pasn", "umk", {.power = 0}, consistency},
     {"%", "", {.power = -2}, none},
@@ -232,7 +232,7 @@ Powers powers_of(Dimension dimension) {
         case Dimension::pressure_gradient:
             return {.kilogram = 1, .metre = -2, .second = -2};
         case Dimension::viscosity:
-            return viscosity;
+            return dynamic_viscosity;
         case Dimension::time:
             return duration;
         case Dimension::rate:

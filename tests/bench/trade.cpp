@@ -195,6 +195,9 @@ Options parse(int count, char** arguments) {
             options.missing = true;
         } else if (word == "--longest") {
             options.longest = std::atof(next().c_str());
+        } else if (word.starts_with("-")) {
+            throw UsageError("bench_trade: unknown option " + word +
+                             "; there are --kind, --rung, --missing and --longest");
         } else {
             options.file = word;
         }
@@ -229,11 +232,11 @@ void measure(const Options& options, Json& data) {
 }  // namespace
 
 int main(int count, char** arguments) {
-    const Options options = parse(count, arguments);
-    Json data{{"schema", "bioprint-predict/trade/1"}, {"questions", Json::array()}};
-    if (std::ifstream old(options.file); old) data = Json::parse(old);
-    describe(data);
     try {
+        const Options options = parse(count, arguments);
+        Json data{{"schema", "bioprint-predict/trade/1"}, {"questions", Json::array()}};
+        if (std::ifstream old(options.file); old) data = Json::parse(old);
+        describe(data);
         measure(options, data);
     } catch (const Error& e) {
         std::fprintf(stderr, "%s\n", e.what());

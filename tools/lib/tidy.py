@@ -20,12 +20,20 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 def compiler_arguments(entry):
-    return entry.get("arguments") or shlex.split(entry["command"])
+    """Those of the compiler, without the header that only GCC has precompiled: a source must do without it."""
+    arguments = entry.get("arguments") or shlex.split(entry["command"])
+    plain = []
+    for argument in arguments:
+        if plain and plain[-1] == "-include" and "cmake_pch" in argument:
+            plain.pop()
+        elif argument != "-Winvalid-pch":
+            plain.append(argument)
+    return plain
 
 
 def project_files(entry):
     """The source and every header of this repository that it includes, as the compiler sees them."""
-    arguments = compiler_arguments(entry)
+    arguments = list(entry["arguments"])
     if "-o" in arguments:
         at = arguments.index("-o")
         del arguments[at : at + 2]
@@ -38,19 +46,19 @@ def project_files(entry):
 
 def stamp_name(entry, common):
     digest = hashlib.sha256(common)
-    digest.update(" ".join(compiler_arguments(entry)).encode())
+    digest.update(" ".join(entry["arguments"]).encode())
     for file in project_files(entry):
         digest.update(str(file).encode() + b"\0" + file.read_bytes() + b"\0")
     return digest.hexdigest()
 
 
-def check(entry, build, stamps, common):
+def check(entry, stamps, common):
     """None when the file passes, else what clang-tidy says."""
     stamp = stamps / stamp_name(entry, common)
     if stamp.exists():
         return None
     done = subprocess.run(
-        ["clang-tidy", "--quiet", "-p", str(build), entry["file"]], cwd=ROOT, capture_output=True, text=True
+        ["clang-tidy", "--quiet", "-p", str(stamps), entry["file"]], cwd=ROOT, capture_output=True, text=True
     )
     if done.returncode != 0:
         # "N warnings generated" on standard error counts suppressed ones of system headers too.
@@ -70,12 +78,15 @@ def main():
     for entry in json.loads((build / "compile_commands.json").read_text()):
         file = Path(entry["file"]).resolve()
         if file in wanted or (not wanted and ROOT / "src" in file.parents):
-            entries[file] = entry
+            entries[file] = {key: entry[key] for key in ("directory", "file")} | {
+                "arguments": compiler_arguments(entry)
+            }
     if not entries:
         sys.exit("tidy: no source found in the compile database")
+    (stamps / "compile_commands.json").write_text(json.dumps(list(entries.values())))
     failed = 0
     with ThreadPoolExecutor(min(2, os.cpu_count() or 1)) as pool:
-        for complaint in pool.map(lambda e: check(e, build, stamps, common), entries.values()):
+        for complaint in pool.map(lambda e: check(e, stamps, common), entries.values()):
             if complaint is not None:
                 failed += 1
                 print(complaint, flush=True)

@@ -38,4 +38,13 @@ struct LabNumber {
 /// Number and unit for a person: 5e-5 m is {"50", "µm"}, 1.74e7 Pa/m is {"17.4", "MPa/m"}.
 LabNumber format_lab(double value, Dimension dimension, int digits = 4);
 
+/// The same in one piece: "17.4 MPa/m"; a number alone where the dimension has no unit.
+std::string lab_text(double value, Dimension dimension, int digits = 4);
+
+/// A number without a unit.
+std::string bare_text(double value, int digits = 4);
+
+/// A share in per cent: 0.123 is "12 %".
+std::string percent_text(double share, int digits = 2);
+
 }  // namespace bioprint
