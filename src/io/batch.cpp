@@ -50,6 +50,19 @@ std::size_t count_json_lines(const std::string& file) {
     return count;
 }
 
+/// What the asker calls a line, which is no part of the question.
+Json take_id(JsonLine& line) {
+    const auto id = line.value.find("id");
+    if (id == line.value.end()) return nullptr;
+    if (!id->is_string() && !id->is_number()) {
+        if (line.error.empty()) line.error = "id: takes a text or a number";
+        return nullptr;
+    }
+    Json taken = *id;
+    line.value.erase(id);
+    return taken;
+}
+
 RunResult run_json_lines(ByteSource& source, const BatchInput& input, const RunOptions& options,
                          const Sink& sink) {
     const Settings& defaults = input.defaults;
@@ -79,10 +92,12 @@ RunResult run_json_lines(ByteSource& source, const BatchInput& input, const RunO
         }
         texts.assign(lines.size(), {});
         for_each_index(lines.size(), options.jobs, [&](std::size_t i) {
-            texts[i] = writer.answer([&] {
+            const Json id = take_id(lines[i]);
+            const auto question = [&] {
                 if (!lines[i].error.empty()) throw UsageError(lines[i].error);
                 return settings_of(lines[i].value).over(defaults);
-            });
+            };
+            texts[i] = writer.answer(question, id);
         });
         for (RowText& text : texts) {
             sink(writer.placed(text.text, result.rows));

@@ -1,6 +1,7 @@
 #include "io/row_answer.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "bioprint/errors.hpp"
 #include "bioprint/io/number_format.hpp"
@@ -30,7 +31,12 @@ std::string values_line(const RowAnswer& answer, const std::vector<std::string>&
     std::string line;
     for (const std::string& path : paths) {
         if (!line.empty()) line += '\t';
-        line += answer.refused ? "null" : value_text(value_at(answer.object, json_path(answer.object, path)));
+        // Every row of a batch may have an id, and none needs one.
+        if (path == "id" ? !answer.object.contains("id") : answer.refused) {
+            line += "null";
+        } else {
+            line += value_text(value_at(answer.object, json_path(answer.object, path)));
+        }
     }
     return line + '\n';
 }
@@ -87,8 +93,13 @@ std::string RowWriter::csv_row(const Json& answer) const {
     return writer.text();
 }
 
-RowText RowWriter::answer(const std::function<Settings()>& question) const {
-    const RowAnswer answer = answer_row(question, options_.extras);
+RowText RowWriter::answer(const std::function<Settings()>& question, const Json& id) const {
+    RowAnswer answer = answer_row(question, options_.extras);
+    if (!id.is_null()) {
+        Json named{{"id", id}};
+        named.update(answer.object);
+        answer.object = std::move(named);
+    }
     RowText row{.text = {}, .refused = answer.refused, .extras = answer.extras};
     if (!options_.paths.empty()) {
         row.text = values_line(answer, options_.paths);

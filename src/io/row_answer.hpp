@@ -28,7 +28,7 @@ struct RowAnswer {
 /// @throws UsageError  a check at a place that no answer has
 RowAnswer answer_row(const std::function<Settings()>& question, const Extras& extras = {});
 
-/// The values at `paths`, one line, separated by tabs; `null` throughout for a refusal.
+/// The values at `paths`, one line, separated by tabs; `null` for a refusal, all but its `id`.
 std::string values_line(const RowAnswer& answer, const std::vector<std::string>& paths);
 
 /// Rows computed between two writes: enough for all threads, small enough that memory does not grow with the
@@ -52,7 +52,8 @@ class RowWriter {
 
     [[nodiscard]] std::string head() const;
     [[nodiscard]] std::string csv_row(const Json& answer) const;
-    [[nodiscard]] RowText answer(const std::function<Settings()>& question) const;
+    /// @param id  what the asker calls the row, a text or a number, given back with its answer or refusal; null for none
+    [[nodiscard]] RowText answer(const std::function<Settings()>& question, const Json& id = nullptr) const;
     /// A row's text with what separates it from the row before.
     [[nodiscard]] std::string placed(const std::string& text, std::size_t index) const;
     [[nodiscard]] std::string tail() const;

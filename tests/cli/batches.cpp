@@ -172,6 +172,23 @@ TEST_CASE("json lines batch: an object a line in and out") {
     CHECK(contains(json::parse(rows[3])["error"]["message"], "line 4"));
 }
 
+TEST_CASE("json lines batch: a line's id comes back with its answer or its error") {
+    const std::string asked =
+        "{\"id\": \"B7\", \"radius\": \"50um\"}\n{\"id\": 12, \"radius\": \"-1um\"}\n"
+        "{\"radius\": \"50um\"}\n{\"id\": [1], \"radius\": \"50um\"}\n";
+    const Outcome outcome = run("-q --batch - --model steady", asked);
+    CHECK(outcome.status == 6);
+    const std::vector<std::string> rows = lines(outcome.out);
+    REQUIRE(rows.size() == 4);
+    CHECK(rows[0].starts_with("{\"id\":\"B7\","));
+    CHECK(json::parse(rows[1])["id"] == 12);
+    CHECK(json::parse(rows[1]).contains("error"));
+    CHECK(!json::parse(rows[2]).contains("id"));
+    CHECK(contains(json::parse(rows[3])["error"]["message"], "id: takes a text or a number"));
+    CHECK(run("-q --batch - --model steady --get id --get nozzle.stress_max", asked).out.starts_with("B7\t"));
+    CHECK(run("-q --batch - --model steady --get id", asked).out == "B7\n12\nnull\nnull\n");
+}
+
 TEST_CASE("json lines batch: an answer's input asks the same question again") {
     const json answer = json::parse(run("--radius 40um --alpha 0.3 --json").out);
     const std::string question = json({{"input", answer["input"]}}).dump() + "\n";
