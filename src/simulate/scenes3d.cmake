@@ -2,6 +2,7 @@
 target_sources(bioprint_simulate PRIVATE
   decay.cpp
   ellipsoid_axes.cpp
+  exit_start.cpp
   immersed_body.cpp
   offset_channel_scene.cpp
   offset_exit_scene.cpp

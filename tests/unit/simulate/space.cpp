@@ -72,6 +72,15 @@ TEST_CASE("simulation in space: a channel that was cancelled goes on to the same
     check_same(with_cuts(s, options, {{"channel", 0.3}, {"channel", 0.7}}), simulate(s, options));
 }
 
+TEST_CASE("simulation in space: an exit that was cancelled goes on to the same numbers with its window") {
+    const SimulationOptions options{.resolution = 3.0, .channel_time = 1e-3};
+    Scene s = scene(SceneKind::exit, 8e-6);
+    s.nozzle_radius = 25e-6;  // a small lattice
+    s.cell.shear_modulus = 4e3;
+    check_same(with_cuts(s, options, {{"flow", 0.1}, {"exit", 0.1}, {"exit", 0.6}, {"strand", 0.2}}),
+               simulate(s, options));
+}
+
 TEST_CASE("simulation in space: what a cancelled channel had reached is in its error") {
     std::atomic<bool> cancel = false;
     SimulationOptions options{.resolution = 3.0, .channel_time = 4e-3};
