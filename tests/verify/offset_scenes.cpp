@@ -131,3 +131,16 @@ TEST_CASE("3-D exit: a window about the cell gives what the whole lattice gives"
     CHECK(std::abs(part.peak_position - whole.peak_position) < 0.03 * radius);
     CHECK(part.updates < 0.75 * whole.updates);
 }
+
+TEST_CASE("3-D channel: a cell all but rigid leans by half a right angle as in the shear of a sphere") {
+    // In a draft the mesh's own shape is as large as the deformation, which is 1 and 0.25 percent here.
+    for (const double modulus : {20e3, 100e3}) {
+        OffsetChannelSetup setup = channel(0.75, 3.0, modulus, 0.1, 3.0);
+        setup.settle_tolerance = 0.01;
+        const OffsetChannelSample end = run_offset_channel(setup).series.back();
+        const double load = end.fluid_stress / modulus;
+        CHECK(-end.angle == doctest::Approx(0.7854).epsilon(0.03));
+        // Small strains: five quarters of the load in every direction (Roscoe).
+        CHECK(end.stretch[0] - end.stretch[1] == doctest::Approx(2.5 * load).epsilon(0.1));
+    }
+}
