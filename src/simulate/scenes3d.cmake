@@ -9,4 +9,5 @@ target_sources(bioprint_simulate PRIVATE
   offset_view.cpp
   shear_scene.cpp
   space.cpp
+  space_limits.cpp
   space_pictures.cpp)

@@ -13,6 +13,7 @@
 #include "simulate/offset_exit_scene.hpp"
 #include "simulate/run_log.hpp"
 #include "simulate/shear_scene.hpp"
+#include "simulate/space_limits.hpp"
 
 namespace bioprint {
 namespace {
@@ -438,6 +439,12 @@ bool needs_space(const Scene& scene) {
 SimulationResult simulate_in_space(const Scene& scene, const SimulationOptions& options) {
     const double nodes = nodes_for(scene, options.resolution);
     check_size(scene, nodes);
+    if (scene.kind != SceneKind::shear) {
+        const NozzleFlow flow =
+            NozzleFlow::from_velocity(scene.ink, scene.nozzle_radius, scene.velocity_average);
+        check_offset_softness(scene, flow, nodes, options);
+        check_offset_duration(scene, flow, nodes);
+    }
     const double coarse_nodes = 0.5 * nodes;
     Keeper keeper(scene, options);
     RunLog fine(options, keeper, "fine ", true);
