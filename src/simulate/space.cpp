@@ -442,7 +442,7 @@ SimulationResult simulate_in_space(const Scene& scene, const SimulationOptions& 
     if (scene.kind != SceneKind::shear) {
         const NozzleFlow flow =
             NozzleFlow::from_velocity(scene.ink, scene.nozzle_radius, scene.velocity_average);
-        check_offset_softness(scene, flow, nodes, options);
+        check_offset_softness(scene, flow, options);
         check_offset_duration(scene, flow, nodes);
     }
     const double coarse_nodes = 0.5 * nodes;

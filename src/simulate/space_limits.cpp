@@ -12,8 +12,6 @@ namespace bioprint {
 namespace {
 
 constexpr double most_load = 1.9;
-constexpr double most_load_refined = 2.5;  ///< from 6 nodes on, as in shear
-constexpr double refined = 6.0;
 constexpr double most_steps = 1e5;   ///< for each nozzle radius of the way, as on the axis
 constexpr double rigid_load = 0.01;  ///< G R_c/μ below which a softer cell bears the same stress
 
@@ -30,19 +28,17 @@ double steps_a_radius(const Scene& scene, const NozzleFlow& flow, double modulus
 
 }  // namespace
 
-void check_offset_softness(const Scene& scene, const NozzleFlow& flow, double nodes,
-                           const SimulationOptions& options) {
+void check_offset_softness(const Scene& scene, const NozzleFlow& flow, const SimulationOptions& options) {
     if (options.channel_time > 0.0) return;
     const double stress = 0.5 * flow.pressure_gradient() * scene.offset;
     const double load = stress / scene.cell.shear_modulus;
-    const double most = nodes >= refined ? most_load_refined : most_load;
-    if (load <= most) return;
+    if (load <= most_load) return;
     throw UsageError(
         "--shear-modulus: this cell is too soft to keep a shape at its offset: the ink's stress over its "
         "shear modulus is " +
-            number(load) + " and runs above " + number(most) +
-            " have ended with elements inside out; take a shear modulus of " + number(stress / most) +
-            " Pa or more, an offset of " + number(scene.offset * most / load) +
+            number(load) + " and runs above " + number(most_load) +
+            " have ended with elements inside out; take a shear modulus of " + number(stress / most_load) +
+            " Pa or more, an offset of " + number(scene.offset * most_load / load) +
             " m or less, or say how long it stays in the nozzle with --channel-time",
         "--shear-modulus");
 }
