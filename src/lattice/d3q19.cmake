@@ -7,6 +7,7 @@ target_sources(bioprint_lattice PRIVATE
   d3q19_kernel.cpp
   d3q19_kernel_baseline.cpp
   d3q19_state.cpp
+  d3q19_window.cpp
   huge_buffer.cpp
   section.cpp)
 target_link_libraries(bioprint_lattice PRIVATE OpenMP::OpenMP_CXX)

@@ -59,6 +59,8 @@ D3q19<Real>::D3q19(const D3q19Setup& setup)
       inflow_(setup.inflow),
       slip_begin_(std::max(setup.slip_begin, 0)),
       slip_end_(std::min(setup.slip_end, setup.nx)),
+      begin_(0),
+      end_(setup.nx),
       threads_(std::max(setup.threads, 1)),
       kernels_(d3q19::kernels<Real>(setup.instructions)) {
     check(setup);
@@ -196,6 +198,7 @@ void D3q19<Real>::set_coupling(int row, Coupling coupling) {
 template <class Real>
 void D3q19<Real>::initialise(const std::function<FlowState(double, double, double)>& flow) {
     odd_ = false;
+    set_window(0, nx_);
     for (int r = 0; r < fluid_rows_; ++r) {
         const double y = section_.y_of(place_of_[r][0]);
         const double z = section_.z_of(place_of_[r][1]);
@@ -296,17 +299,17 @@ void D3q19<Real>::collide(const Share& share, bool streaming) {
             const auto [cx, cy, cz] = d3q19::velocity[q];
             if (streaming) {
                 const int source = neighbour_[r][3 * (1 - cy) + 1 - cz];
-                task.f[q] = slot(opposite(q), source) - cx;
+                task.f[q] = slot(opposite(q), source) + begin_ - cx;
             } else {
-                task.f[q] = slot(q, r);
+                task.f[q] = slot(q, r) + begin_;
             }
         }
-        task.t = t_ + offset(r);
+        task.t = t_ + offset(r) + begin_;
         for (int axis = 0; axis < 3; ++axis) {
-            task.force[axis] = force_[axis] + offset(r);
-            task.velocity[axis] = velocity_[axis] + offset(r);
+            task.force[axis] = force_[axis] + offset(r) + begin_;
+            task.velocity[axis] = velocity_[axis] + offset(r) + begin_;
         }
-        task.blocks = nx_ / 16;
+        task.blocks = (end_ - begin_) / 16;
         Coupling coupling = coupling_[r];
         if (observed_[r] != 0 && coupling == Coupling::none) {
             coupling = Coupling::observed;

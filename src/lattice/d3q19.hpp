@@ -36,6 +36,10 @@
 /// stress along x vanishes where the link is cut, while u_θ of the wall follows the fluid (zero gradient of
 /// u_θ/r, read 1.5 spacings from the wall).
 ///
+/// A window: where a flow with open ends stands still but about a body, only the columns about it need be
+/// stepped. The columns beside the window send into it what they hold, so a flow at rest stays as it is, and a
+/// disturbance that reaches them is not sent back but for the share that a fixed inflow would.
+///
 /// Results do not depend on the number of threads, to the last bit.
 /// Accuracy, order of convergence and speed: tests/verify/d3q19.cpp, tests/bench/lattice3d.cpp.
 namespace bioprint {
@@ -94,6 +98,12 @@ class D3q19 {
     void initialise(const std::function<FlowState(double x, double y, double z)>& flow);
 
     void step();
+    /// From here on only the columns begin ≤ x < end are stepped; the others stay as they are. A step covers all
+    /// of them at first. Needs `whole()`.
+    /// @throws UsageError  not multiples of 16, not within the lattice, or part of a periodic lattice
+    void set_window(int begin, int end);
+    [[nodiscard]] int window_begin() const { return begin_; }
+    [[nodiscard]] int window_end() const { return end_; }
     /// Two steps, so that `at` may be called.
     void cycle() {
         step();
@@ -109,6 +119,7 @@ class D3q19 {
     [[nodiscard]] const Section& section() const { return section_; }
     [[nodiscard]] int rows() const { return fluid_rows_; }
     [[nodiscard]] long fluid_nodes() const { return static_cast<long>(fluid_rows_) * nx_; }
+    [[nodiscard]] long stepped_nodes() const { return static_cast<long>(fluid_rows_) * (end_ - begin_); }
     /// The row of (y, z), periodic images and mirror images included; −1 where there is no fluid.
     [[nodiscard]] int row(int y, int z) const;
 
@@ -157,6 +168,13 @@ class D3q19 {
         std::array<Real, 4> y;  ///< of u_y in u_θ
         std::array<Real, 4> z;  ///< of u_z in u_θ
     };
+    /// A column beside the window, which stays as it is.
+    struct Border {
+        int beside, inside;                       ///< this column, and the window's column next to it
+        std::array<int, 5> q{};                   ///< into the window
+        std::array<std::vector<Real>, 5> sent{};  ///< the population of direction q of every row
+        std::array<std::vector<Real>, 5> own{};   ///< what the opposite slot of every row holds
+    };
     /// A population that a wall sends back.
     struct CutLink {
         int q;  ///< towards the wall
@@ -187,6 +205,9 @@ class D3q19 {
     void mirrors(const Share& share, bool filling);
     void ends(const Share& share, bool filling);
     void walls(const Share& share, bool filling);
+    [[nodiscard]] Border border(bool low) const;
+    void send_from_borders(const Share& share, bool filling);
+    void restore_borders(const Share& share);
     void rigid_row(const CutLink& link, int begin, int end, bool filling);
     void slip_row(const CutLink& link, int begin, int end, const Real* wall, bool filling);
     void slip_velocities(const Share& share, Real follow);
@@ -202,6 +223,7 @@ class D3q19 {
     Ends ends_;
     std::function<double(double, double)> inflow_;
     int slip_begin_, slip_end_;
+    int begin_, end_;  ///< of the window
     int threads_;
     const d3q19::Kernels<Real>* kernels_;
     d3q19::FluidConstants<Real> constants_{};
@@ -221,6 +243,7 @@ class D3q19 {
     std::vector<EndLink> end_links_;
     std::vector<SlipPoint> slip_points_;
     std::vector<CutLink> cut_links_;
+    std::vector<Border> borders_;             ///< none where the window ends with the lattice
     std::vector<std::vector<Real>> scratch_;  ///< wall momentum of a row, one for each thread
 
     std::unique_ptr<HugeBuffer> memory_;

@@ -128,6 +128,10 @@ int D3q19<Real>::add_slip_point(const WallLink& wall) {
 
 template <class Real>
 void D3q19<Real>::fill(const Share& share) {
+    if (!borders_.empty()) {
+        send_from_borders(share, true);
+#pragma omp barrier
+    }
     if (ends_ == Ends::periodic) {
         wrap_ends(share, true);
 #pragma omp barrier
@@ -150,6 +154,10 @@ void D3q19<Real>::fill(const Share& share) {
 
 template <class Real>
 void D3q19<Real>::collect(const Share& share) {
+    if (!borders_.empty()) {
+        send_from_borders(share, false);
+#pragma omp barrier
+    }
     if (ends_ == Ends::periodic) {
         wrap_ends(share, false);
 #pragma omp barrier
@@ -167,6 +175,10 @@ void D3q19<Real>::collect(const Share& share) {
 #pragma omp barrier
     }
     walls(share, false);
+    if (!borders_.empty()) {
+#pragma omp barrier
+        restore_borders(share);
+    }
 }
 
 template <class Real>
@@ -203,9 +215,9 @@ void D3q19<Real>::mirrors(const Share& share, bool filling) {
         Real* const ghost = slot(link.ghost_slot, link.ghost_row);
         Real* const real = slot(link.real_slot, link.real_row);
         if (filling) {
-            std::copy(real - 1, real + nx_ + 1, ghost - 1);
+            std::copy(real + begin_ - 1, real + end_ + 1, ghost + begin_ - 1);
         } else {
-            std::copy(ghost, ghost + nx_, real);
+            std::copy(ghost + begin_, ghost + end_, real + begin_);
         }
     }
 }
@@ -214,6 +226,9 @@ template <class Real>
 void D3q19<Real>::ends(const Share& share, bool filling) {
     for (std::size_t i = share.begin(end_links_.size()); i < share.end(end_links_.size()); ++i) {
         const EndLink& link = end_links_[i];
+        if (link.low ? begin_ > 0 : end_ < nx_) {
+            continue;
+        }
         Real& beside = slot(opposite(link.q), link.source_row)[link.low ? -1 : nx_];
         Real& inside = slot(link.q, link.row)[link.low ? 0 : nx_ - 1];
         if (filling) {
@@ -230,24 +245,25 @@ void D3q19<Real>::walls(const Share& share, bool filling) {
     for (std::size_t i = share.begin(cut_links_.size()); i < share.end(cut_links_.size()); ++i) {
         const CutLink& link = cut_links_[i];
         if (link.slip_point < 0) {
-            rigid_row(link, 0, nx_, filling);
+            rigid_row(link, begin_, end_, filling);
             continue;
         }
         // A population that crosses the lip meets the rigid wall, from either side.
         const int cx = d3q19::velocity[link.q].x;
         const bool outlet = cx > 0 && slip_end_ == nx_ && ends_ == Ends::inflow_outflow;
-        const int begin = slip_begin_ + (cx < 0 && slip_begin_ > 0 ? 1 : 0);
-        const int end = slip_end_ - (cx > 0 && (slip_end_ < nx_ || outlet) ? 1 : 0);
+        const auto in_window = [this](int x) { return std::clamp(x, begin_, end_); };
+        const int begin = in_window(slip_begin_ + (cx < 0 && slip_begin_ > 0 ? 1 : 0));
+        const int end = in_window(slip_end_ - (cx > 0 && (slip_end_ < nx_ || outlet) ? 1 : 0));
         slip_momentum(link, scratch);
-        rigid_row(link, 0, begin, filling);
+        rigid_row(link, begin_, begin, filling);
         slip_row(link, begin, end, scratch, filling);
-        if (outlet) {
+        if (outlet && end_ == nx_) {
             // Out of the corner of slip wall and outlet: pressure 0, as for the outlet's other populations.
             Real& beside = slot(link.q, link.ghost_row)[nx_];
             Real& inside = slot(opposite(link.q), link.row)[nx_ - 1];
             (filling ? beside : inside) = -(filling ? inside : beside);
         } else {
-            rigid_row(link, end, nx_, filling);
+            rigid_row(link, end, end_, filling);
         }
     }
 }
@@ -305,7 +321,7 @@ void D3q19<Real>::slip_velocities(const Share& share, Real follow) {
     for (std::size_t i = share.begin(slip_points_.size()); i < last; ++i) {
         const SlipPoint& slip = slip_points_[i];
         Real* const around = slip_around(static_cast<int>(i));
-        for (int x = slip_begin_; x < slip_end_; ++x) {
+        for (int x = std::max(slip_begin_, begin_); x < std::min(slip_end_, end_); ++x) {
             Real v = 0;
             for (int k = 0; k < 4; ++k) {
                 const std::ptrdiff_t place = offset(slip.row[k]) + x;
@@ -319,7 +335,7 @@ void D3q19<Real>::slip_velocities(const Share& share, Real follow) {
 template <class Real>
 void D3q19<Real>::slip_momentum(const CutLink& link, Real* wall) const {
     const Real* const around = slip_around(link.slip_point);
-    for (int x = slip_begin_; x < slip_end_; ++x) {
+    for (int x = std::max(slip_begin_, begin_); x < std::min(slip_end_, end_); ++x) {
         wall[x] = link.slip_around * around[x];
     }
 }

@@ -46,6 +46,7 @@ void D3q19<Real>::restore(std::span<const double> state) {
         from += nx_;
     });
     odd_ = false;
+    set_window(0, nx_);
 }
 
 template class D3q19<float>;

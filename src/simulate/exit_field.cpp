@@ -7,7 +7,6 @@ namespace bioprint {
 namespace {
 
 constexpr double strong_thinning = 0.5;
-constexpr long step_limit = 4'000'000;
 
 int columns(double radii, int nodes) {
     return static_cast<int>(std::lround(radii * nodes));
@@ -52,8 +51,7 @@ ExitReach exit_reach(const Ink& ink) {
     return {.upstream = cross_law(ink).alpha > strong_thinning ? 5.0 : 4.0, .downstream = 4.0};
 }
 
-ExitField settle_exit_flow(const NozzleFlow& flow, int nodes, const ExitReach& reach, double tolerance,
-                           RunLog& log) {
+ExitField unsettled_exit_flow(const NozzleFlow& flow, int nodes, const ExitReach& reach) {
     const LatticeUnits units = units_for_flow(flow, nodes);
     const LatticeProfile profile = lattice_profile(flow, units);
     const int lip = columns(reach.upstream, nodes);
@@ -64,6 +62,13 @@ ExitField settle_exit_flow(const NozzleFlow& flow, int nodes, const ExitReach& r
                                           units.relaxation(flow.ink()), profile.velocity, profile.links),
         .units = units};
     field.flow.start(profile.velocity, profile.slope, profile.pressure_gradient);
+    return field;
+}
+
+ExitField settle_exit_flow(const NozzleFlow& flow, int nodes, const ExitReach& reach, double tolerance,
+                           RunLog& log) {
+    ExitField field = unsettled_exit_flow(flow, nodes, reach);
+    const int length = field.flow.domain().length;
     lattice::SteadySearch search;
     bool steady = false;
     const auto record = [&] {
@@ -86,7 +91,7 @@ ExitField settle_exit_flow(const NozzleFlow& flow, int nodes, const ExitReach& r
     }
     if (!steady) {
         steady = field.flow.run_to_steady(
-            tolerance, step_limit,
+            tolerance, exit_step_limit,
             [&](double distance) {
                 log.progress("flow", std::clamp(std::log(distance) / std::log(tolerance), 0.0, 1.0));
                 log.keep("flow", false, record);

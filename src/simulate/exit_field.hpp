@@ -23,6 +23,10 @@ struct ExitReach {
 /// Strong thinning lets the exit be felt farther upstream.
 ExitReach exit_reach(const Ink& ink);
 
+/// The developed profile before the lip and a plug behind it, in the units in which it settles soonest.
+ExitField unsettled_exit_flow(const NozzleFlow& flow, int nodes, const ExitReach& reach);
+inline constexpr long exit_step_limit = 4'000'000;
+
 /// Starts from the developed profile at large viscosity and runs until steady.
 /// @throws SimulationIncomplete  cancelled or not steady in time
 ExitField settle_exit_flow(const NozzleFlow& flow, int nodes, const ExitReach& reach, double tolerance,

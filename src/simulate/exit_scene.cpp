@@ -18,7 +18,9 @@ constexpr double strand_length = 3.0;
 constexpr double sample_in_transits = 0.01;
 constexpr double longest_in_transits = 200.0;
 constexpr double relaxed = 0.04;  ///< of the peak
+/// Of the flow without the cell, from 6 nodes a cell radius on; on a coarser lattice larger, as its error is.
 constexpr double flow_tolerance = 1e-4;
+constexpr double nodes_of_tolerance = 6.0;
 
 struct Sample {
     double time, x, stress, axial, radial, volume;
@@ -199,8 +201,9 @@ namespace {
 
 /// The flow through the exit in the units of a run with a cell.
 ExitField exit_field(const Run& run, const LatticeUnits& units) {
-    ExitField field =
-        settle_exit_flow(run.flow, run.nodes, exit_reach(run.flow.ink()), flow_tolerance, run.log);
+    const double coarser = std::max(1.0, nodes_of_tolerance * units.spacing / run.scene.cell.radius);
+    ExitField field = settle_exit_flow(run.flow, run.nodes, exit_reach(run.flow.ink()),
+                                       flow_tolerance * coarser * coarser, run.log);
     field.flow.rescale(units.velocity_lu / field.units.velocity_lu,
                        units.viscosity_lu / field.units.viscosity_lu);
     field.units = units;

@@ -204,6 +204,10 @@ LatticeUnits units_for_cell(const Scene& scene, const NozzleFlow& flow, int node
     return units;
 }
 
+double viscosity_contrast(const Scene& scene, const NozzleFlow& flow) {
+    return 1.0 / viscosity_around(scene, flow);
+}
+
 LatticeUnits units_for_flow(const NozzleFlow& flow, int nodes) {
     const double apparent = flow.pressure_gradient() * flow.radius() * flow.radius() /
                             (8.0 * flow.velocity_average() * cross_law(flow.ink()).eta0);

@@ -55,6 +55,10 @@ LatticeUnits units_for_cell(const Scene& scene, const NozzleFlow& flow, int node
 /// Units for a steady flow: viscosity chosen so that it settles soonest.
 LatticeUnits units_for_flow(const NozzleFlow& flow, int nodes);
 
+/// How many times thinner the ink around the cell can be than the ink at rest inside a stiff one: in the nozzle by the
+/// rate at r = R_c, at the exit also by its elongation.
+double viscosity_contrast(const Scene& scene, const NozzleFlow& flow);
+
 /// @throws UsageError  a quantity of the scene is out of range, or the cell too large for the nozzle
 void check(const Scene& scene, const SimulationOptions& options);
 

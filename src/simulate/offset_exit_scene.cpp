@@ -6,6 +6,7 @@
 #include "bioprint/errors.hpp"
 #include "bioprint/flow/nozzle_flow.hpp"
 #include "simulate/decay.hpp"
+#include "simulate/exit_start.hpp"
 #include "simulate/offset_view.hpp"
 #include "simulate/space_pictures.hpp"
 
@@ -139,6 +140,8 @@ class Passage {
         first_ = result.series.empty() ? 0.0 : result.series.back().time;
         if (const auto* values = kept()) {
             resume(*values, result);
+        } else {
+            follow();
         }
         // The cell's way past the lip takes some hundreds of samples, its relaxing as many.
         const double path = (setup_.approach + setup_.travel) * radius_;
@@ -158,6 +161,7 @@ class Passage {
             done_ += stride;
             count(stride, result);
             add(result, observe());
+            follow();
             ended = enough(result.series.back());
             const auto picture = [&] {
                 return space_picture(lattice_, cell_, scale(), result.series.back().time);
@@ -190,7 +194,7 @@ class Passage {
     }
 
   private:
-    static constexpr double rest_tolerance = 2e-3;
+    static constexpr double rest_tolerance = 1e-3;
 
     D3q19Setup lattice_setup() const {
         const bool exit = stage_ == Stage::exit;
@@ -217,29 +221,44 @@ class Passage {
         return flow_.velocity(std::min(r * lu_.spacing, setup_.radius)) * lu_.time / lu_.spacing;
     }
 
-    /// The developed flow up to the lip, the plug behind it; a strand alone is at rest.
+    /// The flow that settled in the plane; a strand alone is at rest.
     void start() {
         if (stage_ == Stage::strand) {
             return;
         }
-        const double gradient = flow_.pressure_gradient() * lu_.spacing / lu_.stress;
-        const double plug = setup_.velocity_average * lu_.time / lu_.spacing;
+        const ExitStart settled(flow_, radius_);
+        const double velocity = setup_.velocity_average * lu_.time / lu_.spacing;
+        const double density = lu_.nu0 * velocity / radius_;
         lattice_.initialise([&](double x, double y, double z) {
-            FlowState state{.velocity = {plug, 0.0, 0.0}};
-            if (x < lip_) {
-                const double r = std::hypot(y, z);
-                const double slope = -0.5 * flow_.shear_rate(r * lu_.spacing) * lu_.time / r;
-                state.density = 3.0 * gradient * (lip_ - x);
-                state.velocity[0] = profile(r);
-                state.strain_rate = {0.0, 0.0, 0.0, slope * y, slope * z, 0.0};
+            FlowState state = settled.at((x - lip_) / radius_, y / radius_, z / radius_);
+            state.density *= density;
+            for (double& u : state.velocity) {
+                u *= velocity;
+            }
+            for (double& s : state.strain_rate) {
+                s *= velocity / radius_;
             }
             return state;
         });
     }
 
+    /// Moves the window with the cell; the flow beyond it stays as it was at rest, or as the cell left it.
+    void follow() {
+        if (stage_ == Stage::strand) {
+            return;
+        }
+        const auto [first, last] =
+            std::minmax_element(cell_.positions().begin(), cell_.positions().end(),
+                                [](const Vector3& a, const Vector3& b) { return a[0] < b[0]; });
+        const double reach = setup_.window * radius_;
+        const auto block = [&](double at) { return std::clamp(static_cast<int>(at) * 16, 0, lattice_.nx()); };
+        lattice_.set_window(block(std::floor(((*first)[0] - reach) / 16.0)),
+                            block(std::ceil(((*last)[0] + reach) / 16.0)));
+    }
+
     void count(long steps, OffsetExitResult& result) const {
         result.steps += steps;
-        result.updates += static_cast<double>(steps) * static_cast<double>(lattice_.fluid_nodes());
+        result.updates += static_cast<double>(steps) * static_cast<double>(lattice_.stepped_nodes());
     }
 
     OffsetExitSample observe() const {
@@ -294,6 +313,8 @@ class Passage {
             }
             r.put(s.stretch);
         }
+        r.put(static_cast<double>(lattice_.window_begin()));
+        r.put(static_cast<double>(lattice_.window_end()));
         r.put(cell_.record());
         r.put(lattice_.state());
         return r;
@@ -317,8 +338,11 @@ class Passage {
             s.stretch = r.next_three();
             add(result, s);
         }
+        const int begin = static_cast<int>(r.next());
+        const int end = static_cast<int>(r.next());
         cell_.restore(r.next_list());
         lattice_.restore(r.next_list());
+        lattice_.set_window(begin, end);
     }
 
     const OffsetExitSetup& setup_;

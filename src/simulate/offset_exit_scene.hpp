@@ -27,6 +27,7 @@ struct OffsetExitSetup {
     double settle_tolerance = 0.0;  ///< as in the channel scene
     double approach = 1.5;          ///< [radii]
     double travel = 2.5;            ///< [radii]
+    double window = 1.0;            ///< of flow that is stepped before and behind the cell [radii]
     bool relax = true;              ///< go on in the strand
     double nodes = 6.0;             ///< cell radius, in lattice nodes
     double mesh_spacing = 2.0;

@@ -139,8 +139,9 @@ std::vector<Reference> exact_references(const ExtremeScene& scene, const Json& a
     return list;
 }
 
-std::vector<Reference> finer_references(const ExtremeScene& scene, const Limits& limits) {
-    const double nodes = draft_nodes * (scene.offset > 0.0 ? 1.5 : 2.0);
+/// @param nodes  a cell radius in the run to be judged, which in a narrow nozzle has more than it was asked for
+std::vector<Reference> finer_references(const ExtremeScene& scene, double nodes, const Limits& limits) {
+    nodes = scene.offset > 0.0 ? 1.5 * nodes : 2.0 * draft_nodes;
     const Ended ended = run_program(scene.arguments(nodes), limits);
     if (ended.status != 0) return {};
     const Json simulation = Json::parse(ended.out).at("simulation");
@@ -208,7 +209,8 @@ Verdict verdict_of_answer(const ExtremeScene& scene, bool finer, const Limits& l
     }
     const bool told = warns(answer, outcome.remark);
     std::vector<Reference> references = exact_references(scene, answer);
-    if (references.empty() && finer && !told) references = finer_references(scene, limits);
+    if (references.empty() && finer && !told)
+        references = finer_references(scene, simulation.at("lattice").at("nodes_per_cell_radius"), limits);
     const double ratio = judge(scene, simulation, references, outcome);
     if (told) return Verdict::warned;
     if (ratio < 0.0) return Verdict::unjudged;

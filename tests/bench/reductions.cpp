@@ -1,5 +1,8 @@
 // What each reduction of a scene saves and what it costs in accuracy, as a table in Markdown: docs/reductions.md.
-// Every row runs the scene with and without the reduction, one thread, times of the processor. About ten minutes.
+// Every row runs the scene with and without the reduction, one thread, times of the processor. About a quarter of an
+// hour.
+//
+//   bench_reductions [window]      the page, or its line of the moving window alone
 
 #include <cmath>
 #include <cstdio>
@@ -11,6 +14,7 @@
 #include "bioprint/simulate/simulation.hpp"
 #include "lattice/d3q19.hpp"
 #include "simulate/offset_channel_scene.hpp"
+#include "simulate/offset_exit_scene.hpp"
 
 namespace {
 
@@ -79,6 +83,27 @@ Measured space(const OffsetChannelSetup& setup) {
     return timed([&] { return run_offset_channel(setup).series.back().von_mises; });
 }
 
+/// The flow that is stepped while the cell passes the exit.
+void moving_window() {
+    const auto peak = [](double window) {
+        return timed([&] {
+            return run_offset_exit({.ink = ink,
+                                    .radius = nozzle_radius,
+                                    .velocity_average = velocity,
+                                    .cell_radius = cell.radius,
+                                    .shear_modulus = cell.shear_modulus,
+                                    .offset = 1.5 * cell.radius,
+                                    .settle = 0.1,
+                                    .settle_tolerance = 0.01,
+                                    .window = window})
+                .peak_von_mises;
+        });
+    };
+    constexpr double everything = 100.0;
+    print("window of a nozzle radius before and behind the cell",
+          "peak stress at the exit, 1.5 R_c off the axis", peak(everything), peak(1.0));
+}
+
 /// Steps of a bare tube; the flow it carries, of the whole section.
 Measured tube_steps(bool half, double alpha, int cycles) {
     D3q19<float> lattice({.nx = 64,
@@ -138,6 +163,7 @@ void in_space(double channel_stress) {
           usual);
     print("draft grid in space, 3 nodes instead of 6", "stress in the nozzle, 3 R_c off the axis", usual,
           space(space_setup(offset, 3.0)));
+    moving_window();
 
     constexpr int cycles = 300;
     const Measured half = tube_steps(true, 0.75, cycles);
@@ -154,7 +180,11 @@ void in_space(double channel_stress) {
 
 }  // namespace
 
-int main() {
+int main(int argc, char** argv) {
+    if (argc > 1 && std::string(argv[1]) == "window") {
+        moving_window();
+        return 0;
+    }
     const SimulationOptions fine{.resolution = 12.0, .threads = 1};
     const Scene channel{.kind = SceneKind::exit,
                         .ink = ink,

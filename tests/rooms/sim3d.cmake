@@ -1,5 +1,5 @@
 bioprint_tests(lattice3d
-  SOURCES unit/lattice/cross_power.cpp verify/d3q19.cpp
+  SOURCES unit/lattice/cross_power.cpp verify/d3q19.cpp verify/d3q19_window.cpp
   LINKS lattice flow)
 
 find_package(OpenMP REQUIRED)

@@ -169,3 +169,19 @@ TEST_CASE("tetrahedra: a damaged mesh file is refused with its name") {
         CHECK_THROWS_AS(read_tetra_mesh(input, "a.tet"), DataError);
     }
 }
+
+TEST_CASE("tetrahedra: the mesh of a ball has a ball's centre and inertia however coarse it is") {
+    for (const bool half : {true, false}) {
+        for (const double edge : {0.67, 0.5, 0.33}) {
+            CAPTURE(edge);
+            const TetraSolid solid(ball_mesh(1.0, edge, half), soft, half);
+            const Ellipsoid at_rest = solid.state(solid.mesh().nodes).ellipsoid;
+            for (int i = 0; i < 3; ++i) {
+                CHECK(at_rest.semi_axes[i] == doctest::Approx(at_rest.semi_axes[0]).epsilon(1e-9));
+                CHECK(std::abs(at_rest.centre[i]) < 1e-9);
+            }
+            // Corners stand out of a ball of the same volume.
+            CHECK(at_rest.semi_axes[0] == doctest::Approx(1.0).epsilon(1e-3));
+        }
+    }
+}
