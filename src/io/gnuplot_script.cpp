@@ -256,7 +256,7 @@ std::string terminal_command(const Picture& picture, Canvas canvas, const Canvas
         case Canvas::pdf:
             return "set terminal pdfcairo noenhanced size " + num(picture_width / pixels_an_inch) + "in," +
                    num(height_of(picture) / pixels_an_inch) +
-                   "in fontscale 1 font 'Sans,9.75' background rgb 'white'\n";
+                   "in fontscale 0.75 font 'Sans,9.75' background rgb 'white'\n";
         case Canvas::terminal:
             return "set terminal dumb noenhanced nofeed mono size " + std::to_string(size.columns) + "," +
                    std::to_string(size.lines) + "\n";
