@@ -1,6 +1,7 @@
 #include "io/table.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numbers>
 
@@ -152,6 +153,11 @@ bool is_steady_twin(const CellAnswer& steady, const CellAnswer& carried) {
            steady.place == carried.place && steady.offset == carried.offset;
 }
 
+/// A value of a column whose largest is given: a billionth of that is nothing to a person, as at rest in a plug.
+std::string in_column(double value, const LabUnit& unit, double largest) {
+    return std::abs(value) < 1e-9 * largest ? "0" : format_in(value, unit, 4);
+}
+
 std::string cells_section(const Prediction& prediction, TableStyle style) {
     double largest = 0.0;
     for (const CellAnswer& cell : prediction.cells) {
@@ -172,7 +178,7 @@ std::string cells_section(const Prediction& prediction, TableStyle style) {
     for (auto entry = order.begin(); entry != order.end(); ++entry) {
         const CellAnswer& cell = **entry;
         const bool second = entry != order.begin() && is_steady_twin(cell, **(entry - 1));
-        const auto stress = [&](double value) { return format_in(value, unit, 4); };
+        const auto stress = [&](double value) { return in_column(value, unit, largest); };
         const auto stretch = [&](std::size_t i) {
             return cell.stretch ? bare_text((*cell.stretch)[i]) : "–";
         };
@@ -201,7 +207,7 @@ std::string passages_section(const Prediction& prediction, TableStyle style) {
         rows[1].insert(rows[1].end(), {"", "Pa s"});
     }
     for (const PassageAnswer& p : prediction.passages) {
-        const auto stress = [&](double value) { return format_in(value, unit, 4); };
+        const auto stress = [&](double value) { return in_column(value, unit, largest); };
         rows.push_back({bare_text(p.offset * 1e6), stress(p.von_mises),
                         p.place == Place::nozzle ? "nozzle" : "exit",
                         p.position ? bare_text(*p.position * 1e6) : "–", stress(p.nozzle_peak),
