@@ -1,3 +1,4 @@
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -15,11 +16,8 @@
 // The simulation at the edges of what it can be asked: each scene goes to the real program, and what comes back is an
 // answer within its stated error, a refusal that names what to change, or a fault.
 //
-//   bench_extremes [FILE] [--only NUMBER]… [--group NAME]… [--kind NAME]… [--again VERDICT]… [--limit SECONDS]
-//                  [--program PATH]
-//
-// FILE (data/extremes.csv) gets one row a scene; with a choice of scenes the others keep their rows. --again chooses
-// by what the file says now. The status is 1 when a row of FILE is a fault.
+// FILE gets one row a scene; with a choice of scenes the others keep their rows. The status is 1 when a row of FILE is a
+// fault.
 
 namespace {
 
@@ -107,30 +105,6 @@ void save(const std::map<int, std::string>& rows, const std::string& file) {
         throw DataError(file + ": cannot be written");
 }
 
-Options parse(int count, char** arguments) {
-    Options options;
-    for (int i = 1; i < count; ++i) {
-        const std::string word = arguments[i];
-        const auto next = [&] { return std::string(i + 1 < count ? arguments[++i] : ""); };
-        if (word == "--only") {
-            options.only.insert(next());
-        } else if (word == "--group") {
-            options.groups.insert(next());
-        } else if (word == "--kind") {
-            options.kinds.insert(next());
-        } else if (word == "--again") {
-            options.again.insert(next());
-        } else if (word == "--limit") {
-            options.limits.seconds = std::atof(next().c_str());
-        } else if (word == "--program") {
-            options.limits.program = next();
-        } else {
-            options.file = word;
-        }
-    }
-    return options;
-}
-
 bool wanted(const std::set<std::string>& names, const std::string& name) {
     return names.empty() || names.count(name) > 0;
 }
@@ -167,8 +141,18 @@ int campaign(const Options& options) {
 }  // namespace
 
 int main(int count, char** arguments) {
+    Options options;
+    CLI::App app{"the simulation at the edges of what it can be asked", "bench_extremes"};
+    app.add_option("FILE", options.file, "what was measured, a row a scene")->capture_default_str();
+    app.add_option("--only", options.only, "these scenes, by number")->allow_extra_args(false);
+    app.add_option("--group", options.groups, "scenes of these groups")->allow_extra_args(false);
+    app.add_option("--kind", options.kinds, "scenes of these kinds")->allow_extra_args(false);
+    app.add_option("--again", options.again, "those of which FILE says so")->allow_extra_args(false);
+    app.add_option("--limit", options.limits.seconds, "for a scene [s]")->capture_default_str();
+    app.add_option("--program", options.limits.program, "to be asked")->capture_default_str();
+    CLI11_PARSE(app, count, arguments);
     try {
-        return campaign(parse(count, arguments));
+        return campaign(options);
     } catch (const std::exception& e) {
         std::fprintf(stderr, "%s\n", e.what());
         return 1;

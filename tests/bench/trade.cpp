@@ -1,3 +1,4 @@
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -19,11 +20,6 @@
 // The trade of speed for accuracy, measured: every rung of the ladder on every question, its time and its error
 // against the finest run there is. Results are merged into one file, question by question, so that a long
 // measurement can be stopped and taken up again.
-//
-//   bench_trade [FILE] [--kind NAME]… [--rung NAME]… [--missing] [--longest SECONDS]
-//
-// --missing keeps what FILE already holds; --longest skips a rung whose next cheaper one took so long that it
-// would pass SECONDS.
 
 namespace {
 
@@ -182,29 +178,6 @@ void save(const Json& data, const std::string& file) {
         throw DataError(file + ": cannot be written");
 }
 
-Options parse(int count, char** arguments) {
-    Options options;
-    for (int i = 1; i < count; ++i) {
-        const std::string word = arguments[i];
-        const auto next = [&] { return std::string(i + 1 < count ? arguments[++i] : ""); };
-        if (word == "--kind") {
-            options.kinds.push_back(next());
-        } else if (word == "--rung") {
-            options.rungs.push_back(next());
-        } else if (word == "--missing") {
-            options.missing = true;
-        } else if (word == "--longest") {
-            options.longest = std::atof(next().c_str());
-        } else if (word.starts_with("-")) {
-            throw UsageError("bench_trade: unknown option " + word +
-                             "; there are --kind, --rung, --missing and --longest");
-        } else {
-            options.file = word;
-        }
-    }
-    return options;
-}
-
 void measure(const Options& options, Json& data) {
     for (const Question& question : questions()) {
         if (!wanted(options.kinds, question.kind->name)) continue;
@@ -232,8 +205,16 @@ void measure(const Options& options, Json& data) {
 }  // namespace
 
 int main(int count, char** arguments) {
+    Options options;
+    CLI::App app{"every rung of the ladder on every question, its time and its error", "bench_trade"};
+    app.add_option("FILE", options.file, "what was measured; merged into it")->capture_default_str();
+    app.add_option("--kind", options.kinds, "questions of these kinds")->allow_extra_args(false);
+    app.add_option("--rung", options.rungs, "these rungs")->allow_extra_args(false);
+    app.add_flag("--missing", options.missing, "keep what FILE already holds");
+    app.add_option("--longest", options.longest, "leave out a rung that would take longer than this [s]")
+        ->capture_default_str();
+    CLI11_PARSE(app, count, arguments);
     try {
-        const Options options = parse(count, arguments);
         Json data{{"schema", "bioprint-predict/trade/1"}, {"questions", Json::array()}};
         if (std::ifstream old(options.file); old) data = Json::parse(old);
         describe(data);

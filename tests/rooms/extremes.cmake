@@ -3,7 +3,7 @@ set(extremes_sources bench/extreme_runs.cpp bench/extreme_scenes.cpp)
 bioprint_bench(extremes
   SOURCES bench/extremes.cpp ${extremes_sources}
   LINKS io flow numerics
-  PRIVATE nlohmann_json::nlohmann_json)
+  PRIVATE nlohmann_json::nlohmann_json CLI11::CLI11)
 bioprint_tests(extremes
   SOURCES verify/extremes.cpp ${extremes_sources}
   LINKS io flow numerics

@@ -2,7 +2,7 @@
 bioprint_bench(trade
   SOURCES bench/trade.cpp bench/trade_questions.cpp
   LINKS predict simulate cell flow rheology numerics
-  PRIVATE nlohmann_json::nlohmann_json)
+  PRIVATE nlohmann_json::nlohmann_json CLI11::CLI11)
 add_custom_target(trade COMMAND bench_trade ${PROJECT_SOURCE_DIR}/data/trade.json --missing
                   COMMAND ${PROJECT_SOURCE_DIR}/tools/make-trade USES_TERMINAL)
 
