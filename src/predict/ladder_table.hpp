@@ -9,7 +9,7 @@
 namespace bioprint {
 
 // clang-format off
-inline constexpr std::array<RungRecord, 33> ladder_table{{
+inline constexpr std::array<RungRecord, 63> ladder_table{{
     {QuestionKind::exit_flow, Rung::steady, 0.0, std::numeric_limits<double>::infinity(), 0.233, 8.37e-06, 2.23e-05, 6, 0},
     {QuestionKind::exit_flow, Rung::ellipsoid, 0.0, std::numeric_limits<double>::infinity(), 0.233, 0.00135, 0.00159, 6, 0},
     {QuestionKind::exit_flow, Rung::draft, 0.0, std::numeric_limits<double>::infinity(), 0.00134, 0.28, 0.339, 6, 0},
@@ -43,6 +43,36 @@ inline constexpr std::array<RungRecord, 33> ladder_table{{
     {QuestionKind::exit, Rung::ellipsoid, 1.0, std::numeric_limits<double>::infinity(), 0.712, 0.000158, 0.00024, 7, 4},
     {QuestionKind::exit, Rung::draft, 1.0, std::numeric_limits<double>::infinity(), 0.448, 2.02, 6.43, 7, 4},
     {QuestionKind::exit, Rung::standard, 1.0, std::numeric_limits<double>::infinity(), 0.112, 19.5, 52.5, 7, 4},
+    {QuestionKind::channel_off_axis, Rung::steady, 0.0, 0.1, 0.0968, 7.23e-06, 7.33e-06, 5, 0},
+    {QuestionKind::channel_off_axis, Rung::ellipsoid, 0.0, 0.1, 0.0968, 0.00275, 0.00462, 5, 0},
+    {QuestionKind::channel_off_axis, Rung::draft, 0.0, 0.1, 0.122, 0.12, 0.387, 5, 0},
+    {QuestionKind::channel_off_axis, Rung::standard, 0.0, 0.1, 0.121, 1.65, 13.2, 5, 0},
+    {QuestionKind::channel_off_axis, Rung::steady, 0.1, 1.0, 0.122, 5.44e-06, 9.52e-06, 5, 0},
+    {QuestionKind::channel_off_axis, Rung::ellipsoid, 0.1, 1.0, 0.122, 0.00115, 0.00136, 5, 0},
+    {QuestionKind::channel_off_axis, Rung::draft, 0.1, 1.0, 0.119, 1.17, 17.7, 5, 0},
+    {QuestionKind::channel_off_axis, Rung::standard, 0.1, 1.0, 0.0821, 22.2, 34.9, 4, 0},
+    {QuestionKind::channel_off_axis, Rung::steady, 1.0, std::numeric_limits<double>::infinity(), 0.151, 6.02e-06, 1.11e-05, 8, 7},
+    {QuestionKind::channel_off_axis, Rung::ellipsoid, 1.0, std::numeric_limits<double>::infinity(), 0.151, 0.000919, 0.00135, 8, 7},
+    {QuestionKind::channel_off_axis, Rung::draft, 1.0, std::numeric_limits<double>::infinity(), 0.0237, 3.38, 3.38, 8, 7},
+    {QuestionKind::channel_off_axis, Rung::standard, 1.0, std::numeric_limits<double>::infinity(), 0.025, 126.0, 126.0, 8, 7},
+    {QuestionKind::exit_off_axis, Rung::ellipsoid, 0.0, 0.1, 0.309, 0.00319, 0.00476, 5, 0},
+    {QuestionKind::exit_off_axis, Rung::draft, 0.0, 0.1, 0.145, 7.81, 11.2, 5, 0},
+    {QuestionKind::exit_off_axis, Rung::standard, 0.0, 0.1, 0.145, 40.5, 40.5, 1, 0},
+    {QuestionKind::exit_off_axis, Rung::ellipsoid, 0.1, 1.0, 0.0529, 0.00115, 0.00133, 5, 1},
+    {QuestionKind::exit_off_axis, Rung::draft, 0.1, 1.0, 0.1, 5.18, 9.65, 5, 1},
+    {QuestionKind::exit_off_axis, Rung::standard, 0.1, 1.0, 0.0854, 41.3, 49.7, 2, 0},
+    {QuestionKind::exit_off_axis, Rung::ellipsoid, 1.0, std::numeric_limits<double>::infinity(), 0.085, 0.000931, 0.00117, 8, 7},
+    {QuestionKind::exit_off_axis, Rung::draft, 1.0, std::numeric_limits<double>::infinity(), 0.1, 15.3, 15.3, 8, 7},
+    {QuestionKind::shear, Rung::steady, 0.0, 0.1, 0.0, 4.57e-06, 4.57e-06, 1, 0},
+    {QuestionKind::shear, Rung::ellipsoid, 0.0, 0.1, 0.00572, 0.0036, 0.0036, 1, 0},
+    {QuestionKind::shear, Rung::draft, 0.0, 0.1, 0.0911, 0.377, 0.377, 1, 0},
+    {QuestionKind::shear, Rung::standard, 0.0, 0.1, 0.000653, 48.7, 48.7, 1, 0},
+    {QuestionKind::shear, Rung::steady, 0.1, 1.0, 0.0, 3.7e-06, 4.35e-06, 2, 0},
+    {QuestionKind::shear, Rung::ellipsoid, 0.1, 1.0, 0.0162, 0.000802, 0.000819, 2, 0},
+    {QuestionKind::shear, Rung::draft, 0.1, 1.0, 0.067, 0.452, 0.605, 2, 0},
+    {QuestionKind::shear, Rung::standard, 0.1, 1.0, 0.0126, 21.3, 24.4, 2, 0},
+    {QuestionKind::shear, Rung::steady, 1.0, std::numeric_limits<double>::infinity(), 0.0, 5.46e-06, 5.59e-06, 3, 0},
+    {QuestionKind::shear, Rung::ellipsoid, 1.0, std::numeric_limits<double>::infinity(), 0.0247, 0.000768, 0.000811, 3, 0},
 }};
 // clang-format on
 

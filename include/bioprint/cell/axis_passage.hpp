@@ -29,8 +29,8 @@
 /// radius where it rests: there it holds the cell as it is, but for what the cell's own relaxation thins.
 ///
 /// Validity: a cell small against the nozzle (a third at most), no wall; to first order in the quadratic
-/// part. Accuracy of the model: see predict/exit_passage.hpp. Cost: 90 µs in a Newtonian ink,
-/// 240 µs in one that thins.
+/// part. Accuracy of the model: see predict/exit_passage.hpp. Cost: 80 to 110 µs in a Newtonian ink,
+/// 150 to 240 µs in one that thins, up to 1 ms where the cell follows the flow all the way.
 namespace bioprint {
 
 /// The undisturbed flow about a point of the axis, z along it: u_z = velocity + elongation z + axial z² +
