@@ -26,31 +26,6 @@ constexpr std::array<std::pair<std::string_view, Key>, 6> sought_words = {
      {"pressure-gradient", Key::pressure_gradient},
      {"alpha", Key::alpha}}};
 
-/// In the place sought: where the search ends.
-double tolerance_of(DesignLine::Fineness fineness) {
-    switch (fineness) {
-        case DesignLine::Fineness::exact:
-            return 1e-9;
-        case DesignLine::Fineness::carried:
-        case DesignLine::Fineness::population:
-            return 1e-5;
-    }
-    return 1e-9;
-}
-
-/// In the logarithm of a result: what is no sign of a turn.
-double noise_of(DesignLine::Fineness fineness) {
-    switch (fineness) {
-        case DesignLine::Fineness::exact:
-            return 1e-4;
-        case DesignLine::Fineness::carried:
-            return 1e-3;
-        case DesignLine::Fineness::population:
-            return 2e-3;
-    }
-    return 1e-4;
-}
-
 class DesignSearch {
   public:
     DesignSearch(const DesignQuestion& question, const Settings& base)
@@ -70,7 +45,7 @@ class DesignSearch {
         }
         start_ = std::isfinite(start) ? std::clamp(start, low_, high_) : low_;
         (void)with_value(base, question.sought, line_.value(start_)).make_case();  // says what else is wrong
-        tolerance_ = tolerance_of(line_.fineness());
+        tolerance_ = line_.fineness().place;
         first_step_ = question.sought == Key::alpha ? 0.1 : std::numbers::ln2;
     }
 
@@ -250,7 +225,7 @@ class DesignSearch {
     void judge_monotony() {
         for (std::size_t i = 0; i < direction_.size(); ++i) {
             // What is integrated in time, and over a population, is known to that alone.
-            const double slack = design_.limits[i].by_theory ? 1e-9 : noise_of(line_.fineness());
+            const double slack = design_.limits[i].by_theory ? 1e-9 : line_.fineness().result;
             std::optional<double> before;
             double turn = 0.0;
             for (const auto& [s, point] : line_.points()) {

@@ -24,11 +24,16 @@ class DesignLine {
 
     [[nodiscard]] double place(double value) const;
     [[nodiscard]] double value(double place) const;
-    /// How finely predictions along the line tell places apart: what is carried in time is known to 2e-4, and a population
-    /// takes 15 ms.
-    enum class Fineness { exact, carried, population };
+    /// How finely predictions along the line tell places apart.
+    struct Fineness {
+        double place;   ///< of the place sought: where the search ends
+        double result;  ///< in the logarithm of a result: what is no sign of a turn
+    };
+    /// What is carried in time is known to 2e-4; a population takes 15 ms.
     [[nodiscard]] Fineness fineness() const {
-        return population_ ? Fineness::population : (cells_ ? Fineness::carried : Fineness::exact);
+        if (population_) return {.place = 1e-5, .result = 2e-3};
+        if (cells_) return {.place = 1e-5, .result = 1e-3};
+        return {.place = 1e-9, .result = 1e-4};
     }
     [[nodiscard]] const std::map<double, Point>& points() const { return points_; }
 

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
+
+#include "simulate/message_number.hpp"
 
 namespace bioprint {
 namespace {
@@ -25,12 +26,6 @@ constexpr double largest_confinement = 0.6;
 /// The steady flow settles soonest when viscous and pressure diffusion take equally long: measured, c = 0.25
 /// N.
 constexpr double settling_viscosity = 0.25;
-
-std::string number(double value) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.3g", value);
-    return text.data();
-}
 
 LatticeUnits make(const NozzleFlow& flow, int nodes, double velocity_lu, double viscosity_lu) {
     LatticeUnits u{};

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 #include <string>
 #include <string_view>
 
 #include "bioprint/flow/nozzle_flow.hpp"
 #include "lattice/d3q19_kernel.hpp"
+#include "simulate/message_number.hpp"
 #include "simulate/offset_exit_scene.hpp"
 #include "simulate/run_log.hpp"
 #include "simulate/shear_scene.hpp"
@@ -309,12 +309,6 @@ double lattice_nodes(const Scene& scene, double nodes) {
     const double radius = scene.nozzle_radius / scene.cell.radius * nodes;
     const double length = scene.kind == SceneKind::channel ? 10.0 * nodes : 7.0 * radius;
     return 0.5 * 3.14159 * radius * radius * length;
-}
-
-std::string number(double value) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.3g", value);
-    return text.data();
 }
 
 /// @throws UsageError  a load that the lattice does not follow

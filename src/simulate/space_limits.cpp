@@ -1,11 +1,10 @@
 #include "simulate/space_limits.hpp"
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 #include "bioprint/errors.hpp"
+#include "simulate/message_number.hpp"
 #include "simulate/offset_view.hpp"
 
 namespace bioprint {
@@ -14,12 +13,6 @@ namespace {
 constexpr double most_load = 1.9;
 constexpr double most_steps = 1e5;   ///< for each nozzle radius of the way, as on the axis
 constexpr double rigid_load = 0.01;  ///< G R_c/μ below which a softer cell bears the same stress
-
-std::string number(double value) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.3g", value);
-    return text.data();
-}
 
 double steps_a_radius(const Scene& scene, const NozzleFlow& flow, double modulus, double nodes) {
     const OffsetUnits units = offset_units({scene.cell.radius, modulus, nodes}, flow);

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "bioprint/errors.hpp"
+#include "solid/tetra_moments.hpp"
 
 namespace bioprint {
 
@@ -50,33 +51,10 @@ double element_volume(const TetraMesh& mesh, const std::array<int, 4>& element) 
            6.0;
 }
 
-struct Moments {
-    double volume = 0.0;
-    std::array<double, 3> first{};
-    std::array<std::array<double, 3>, 3> second{};
-};
-
 Moments moments_of(const TetraMesh& mesh) {
     Moments m;
     for (const auto& element : mesh.elements) {
-        const double v = element_volume(mesh, element);
-        m.volume += v;
-        for (int i = 0; i < 3; ++i) {
-            double sum_i = 0.0;
-            for (const int n : element) {
-                sum_i += mesh.nodes[n][i];
-            }
-            m.first[i] += v * sum_i / 4.0;
-            for (int k = 0; k < 3; ++k) {
-                double sum_k = 0.0;
-                double product = 0.0;
-                for (const int n : element) {
-                    sum_k += mesh.nodes[n][k];
-                    product += mesh.nodes[n][i] * mesh.nodes[n][k];
-                }
-                m.second[i][k] += v / 20.0 * (product + sum_i * sum_k);
-            }
-        }
+        m.add(mesh.nodes, element, element_volume(mesh, element));
     }
     return m;
 }

@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "solid/tetra_moments.hpp"
+
 namespace bioprint {
 
 // F deformation gradient, J = det F, cof F = J F^(−T), P = ∂U/∂F.
@@ -83,45 +85,6 @@ double quality(const Matrix3& d, double volume) {
     }
     return 6.0 * std::sqrt(2.0) * volume / std::pow(sum / 6.0, 1.5);
 }
-
-/// Volume, first and second moments of a body, summed over its elements.
-struct Moments {
-    double volume = 0.0;
-    Vector3 first{};
-    Matrix3 second{};
-
-    void add(const std::vector<Vector3>& positions, const std::array<int, 4>& element, double v) {
-        Vector3 sum{};
-        for (const int node : element) {
-            for (int i = 0; i < 3; ++i) {
-                sum[i] += positions[node][i];
-            }
-        }
-        volume += v;
-        for (int i = 0; i < 3; ++i) {
-            first[i] += 0.25 * v * sum[i];
-            for (int k = 0; k < 3; ++k) {
-                double corners = sum[i] * sum[k];
-                for (const int node : element) {
-                    corners += positions[node][i] * positions[node][k];
-                }
-                second[i][k] += v / 20.0 * corners;
-            }
-        }
-    }
-
-    /// The other half, behind the mirror z = 0.
-    void complete() {
-        volume *= 2.0;
-        first = {2.0 * first[0], 2.0 * first[1], 0.0};
-        for (auto& row : second) {
-            for (double& value : row) {
-                value *= 2.0;
-            }
-        }
-        second[0][2] = second[2][0] = second[1][2] = second[2][1] = 0.0;
-    }
-};
 
 Ellipsoid equivalent_ellipsoid(const Moments& moments) {
     Ellipsoid e{};
