@@ -9,6 +9,29 @@
 namespace bioprint {
 namespace {
 
+/// C_xx and C_rr, their squares less 1, and C_rx.
+struct Factor {
+    double xx;
+    double rr;
+    double excess_x;
+    double excess_r;
+    double rx;
+};
+
+Factor factor(const PlanarState& y) {
+    const double x = std::expm1(2.0 * y[0]);
+    const double r = std::expm1(2.0 * y[1]);
+    return {.xx = std::sqrt(1.0 + x), .rr = std::sqrt(1.0 + r), .excess_x = x, .excess_r = r, .rx = y[2]};
+}
+
+PlanarStrain strain_of(const Factor& c) {
+    const double both = c.excess_x + c.excess_r + c.excess_x * c.excess_r;
+    return {.xx = c.excess_x,
+            .xr = c.rx * c.xx,
+            .rr = c.excess_r + c.rx * c.rx,
+            .tt = -both / ((1.0 + c.excess_x) * (1.0 + c.excess_r))};
+}
+
 /// B − 1 in its axes: the first lies at the angle with cosine c and sine s to x.
 struct Principal {
     std::array<double, 3> excess;
@@ -20,7 +43,8 @@ struct Principal {
 Principal principal(const PlanarStrain& b) {
     const double mean = 0.5 * (b.xx + b.rr);
     const double half = 0.5 * (b.xx - b.rr);
-    const double spread = std::hypot(half, b.xr);
+    const double square = half * half + b.xr * b.xr;
+    const double spread = square > 1e-280 ? std::sqrt(square) : std::hypot(half, b.xr);
     Principal p{.excess = {mean + spread, mean - spread, b.tt}, .c = 1.0, .s = 0.0};
     if (spread > 0.0) {
         // Half of the double angle; the larger of the two from a root, the other from the product.
@@ -108,10 +132,7 @@ Inside inside(const PlanarCell& cell, const PlanarFlow& flow, const Principal& p
 }  // namespace
 
 PlanarStrain planar_strain(const PlanarState& y) {
-    return {.xx = std::expm1(2.0 * y[0]),
-            .xr = y[2] * std::exp(y[0]),
-            .rr = std::expm1(2.0 * y[1]) + y[2] * y[2],
-            .tt = std::expm1(-2.0 * (y[0] + y[1]))};
+    return strain_of(factor(y));
 }
 
 PlanarState planar_state(const PlanarStrain& b) {
@@ -155,7 +176,8 @@ PlanarShape planar_shape(const PlanarStrain& strain) {
 }
 
 PlanarState PlanarCell::derivative(const PlanarFlow& flow, const PlanarState& y) const {
-    const Principal p = principal(planar_strain(y));
+    const Factor f = factor(y);
+    const Principal p = principal(strain_of(f));
     const auto [d, d33] = inside(*this, flow, p);
     // Back to x and r.
     const double shear = p.c * p.s * (d.d11 - d.d22) + (p.c * p.c - p.s * p.s) * d.d12;
@@ -164,13 +186,12 @@ PlanarState PlanarCell::derivative(const PlanarFlow& flow, const PlanarState& y)
     const double xr = shear + d.spin;
     const double rx = shear - d.spin;
     // With M = C⁻¹ Λ C, C⁻¹ dC/dt is the lower triangle of M + Mᵀ, its diagonal halved.
-    const double cx = std::exp(y[0]);
-    const double cr = std::exp(y[1]);
-    const double m11 = xx + xr * y[2] / cx;
-    const double m22 = rr - xr * y[2] / cx;
-    const double m12 = xr * cr / cx;
-    const double m21 = (rx * cx + (rr - m11) * y[2]) / cr;
-    return {m11, m22, y[2] * m11 + cr * (m21 + m12)};
+    const double lean = f.rx / f.xx;
+    const double m11 = xx + xr * lean;
+    const double m22 = rr - xr * lean;
+    const double m12 = xr * f.rr / f.xx;
+    const double m21 = (rx * f.xx + (rr - m11) * f.rx) / f.rr;
+    return {m11, m22, f.rx * m11 + f.rr * (m21 + m12)};
 }
 
 double PlanarCell::inner_shear(const PlanarFlow& flow, const PlanarStrain& strain) const {

@@ -8,13 +8,25 @@
 
 namespace bioprint {
 
-CheckResult evaluate(const Check& check, const Json& answer, std::string_view option, bool strict) {
-    CheckResult result;
+namespace {
+
+/// None where other answers have a number and this one does not.
+/// Returned, not assigned inside the `try`: there GCC 12 leaves what it replaces uninitialised when nothing
+/// replaces it.
+std::optional<double> value_for(const Check& check, const Json& answer, std::string_view option,
+                                bool strict) {
     try {
-        result.value = number_at(answer, check.path, option);
+        return number_at(answer, check.path, option);
     } catch (const UsageError&) {
         if (strict || !is_known_path(check.path)) throw;
+        return std::nullopt;
     }
+}
+
+}  // namespace
+
+CheckResult evaluate(const Check& check, const Json& answer, std::string_view option, bool strict) {
+    CheckResult result{.value = value_for(check, answer, option, strict), .margin = std::nullopt};
     if (!result.value) return result;
     const double value = *result.value;
     switch (check.relation) {

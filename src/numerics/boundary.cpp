@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "bioprint/errors.hpp"
 
@@ -24,6 +25,20 @@ struct Bracket {
 std::optional<double> secant(const Place& a, const Place& b) {
     if (!std::isfinite(a.excess) || !std::isfinite(b.excess) || a.excess == b.excess) return std::nullopt;
     const double s = a.s - a.excess * (b.s - a.s) / (b.excess - a.excess);
+    return std::isfinite(s) ? std::optional(s) : std::nullopt;
+}
+
+/// Where the parabola s(excess) through both ends a and b and a third place beyond a meets zero; none where the
+/// excess is too bent for one (Chandrupatla 1997).
+std::optional<double> parabola(const Place& a, const Place& b, const Place& c) {
+    if (!std::isfinite(a.excess) || !std::isfinite(b.excess) || !std::isfinite(c.excess)) return std::nullopt;
+    const double xi = (a.s - b.s) / (c.s - b.s);
+    const double phi = (a.excess - b.excess) / (c.excess - b.excess);
+    if (!(phi * phi < xi && (1.0 - phi) * (1.0 - phi) < 1.0 - xi)) return std::nullopt;
+    const double from_b = a.excess / (b.excess - a.excess) * c.excess / (b.excess - c.excess);
+    const double from_c =
+        (c.s - a.s) / (b.s - a.s) * a.excess / (c.excess - a.excess) * b.excess / (c.excess - b.excess);
+    const double s = a.s + (from_b + from_c) * (b.s - a.s);
     return std::isfinite(s) ? std::optional(s) : std::nullopt;
 }
 
@@ -57,10 +72,9 @@ Boundary find_boundary(const std::function<double(double)>& excess, const Bounda
     Boundary result;
     auto [inside, outside] = expand(excess, request, result);
     if (result.inside || result.outside) return result;
-    // The rule of Illinois: a secant whose unmoved end counts half, with a step of halving where it stalls.
-    double weight_inside = inside.excess;
-    double weight_outside = outside.excess;
-    double last_width = outside.s - inside.s;
+    std::optional<Place> replaced;  // the last end that was, by one nearer to the other
+    bool inside_moved = false;
+    double last_step = outside.s - inside.s;
     int slow = 0;
     for (int i = 0; i < most_steps; ++i) {
         const double width = outside.s - inside.s;
@@ -69,13 +83,15 @@ Boundary find_boundary(const std::function<double(double)>& excess, const Bounda
             result.outside = outside.s;
             return result;
         }
-        slow = width > 0.5 * last_width ? slow + 1 : 0;
-        last_width = width;
         double s = 0.5 * (inside.s + outside.s);
-        if (slow < 4) {
-            const std::optional<double> aim = secant({inside.s, weight_inside}, {outside.s, weight_outside});
+        if (slow < 2) {
             // Nearer to an end than that, the end is all but the answer: a step across closes the bracket.
             const double margin = std::min(0.9 * request.tolerance, 0.5 * width);
+            std::optional<double> aim;
+            if (replaced)
+                aim = inside_moved ? parabola(inside, outside, *replaced)
+                                   : parabola(outside, inside, *replaced);
+            if (!aim) aim = secant(inside, outside);
             if (aim) s = std::clamp(*aim, inside.s + margin, outside.s - margin);
         } else {
             slow = 0;
@@ -83,15 +99,11 @@ Boundary find_boundary(const std::function<double(double)>& excess, const Bounda
         if (s <= inside.s || s >= outside.s)
             throw NotConverged("search for a limit: the tolerance is too small");
         const Place next{s, excess(s)};
-        if (next.excess <= 0.0) {
-            inside = next;
-            weight_inside = next.excess;
-            weight_outside *= 0.5;
-        } else {
-            outside = next;
-            weight_outside = next.excess;
-            weight_inside *= 0.5;
-        }
+        const double step = std::min(s - inside.s, outside.s - s);
+        slow = step > 0.5 * last_step ? slow + 1 : 0;
+        last_step = step;
+        inside_moved = next.excess <= 0.0;
+        replaced = std::exchange(inside_moved ? inside : outside, next);
     }
     throw NotConverged("search for a limit: not narrowed down in 200 steps");
 }

@@ -78,11 +78,12 @@ SizeEffect::Effect SizeEffect::at(double x) const {
             .slip = cubic(&Effect::slip)};
 }
 
-PlanarStrain SizeEffect::stretched(const PlanarStrain& b, double log_stretch) {
-    const double along = std::expm1(2.0 * log_stretch);
-    const double across = std::expm1(-log_stretch);
+PlanarStrain SizeEffect::lengthened(const PlanarStrain& b, double square_stretch) {
+    const double along = square_stretch;
+    const double stretch = std::sqrt(1.0 + along);
+    const double across = -along / (stretch * (1.0 + stretch));
     return {.xx = b.xx + along + along * b.xx,
-            .xr = b.xr * std::exp(0.5 * log_stretch),
+            .xr = b.xr * std::sqrt(stretch),
             .rr = b.rr + across + across * b.rr,
             .tt = b.tt + across + across * b.tt};
 }

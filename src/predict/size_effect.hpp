@@ -61,8 +61,8 @@ class SizeEffect {
     /// The velocity of a cell in an ink of this velocity [m/s].
     [[nodiscard]] static double velocity(double ink, double slip) { return ink - std::min(slip, 0.2 * ink); }
 
-    /// The strain of a cell of this size.
-    [[nodiscard]] static PlanarStrain stretched(const PlanarStrain& strain, double log_stretch);
+    /// The strain of a cell that is longer along the axis by λ, from λ² − 1, and as much thinner.
+    [[nodiscard]] static PlanarStrain lengthened(const PlanarStrain& strain, double square_stretch);
 
   private:
     static constexpr std::size_t knots = 139;  // 12 a radius

@@ -18,9 +18,11 @@ namespace {
 constexpr double before = StreamlinePath::before;  // nozzle radii
 constexpr double after = StreamlinePath::after;
 constexpr double felt = 1.5;  // further in, what stands is the nozzle's stress
-constexpr double tolerance = 3e-7;
+constexpr double tolerance = 1e-6;
+/// An explicit step cannot be much longer than the relaxation time: from here on it is the dearer one.
+constexpr double stiff_from = 100.0;
 /// A stiff cell follows its load, and an error of a step is gone in the next.
-constexpr double stiff_tolerance = 2e-5;
+constexpr double stiff_tolerance = 4e-5;
 constexpr int most_steps = 20000;
 /// B − 1 of Roscoe's ellipsoid in a shear whose velocity falls with r: its long axis leans towards −r.
 PlanarStrain settled_strain(const EllipsoidState& cell) {
@@ -39,7 +41,7 @@ class Follower {
         : request_(request),
           size_(size),
           observe_(observe),
-          path_(field, flow, request.start_radius),
+          path_(field, flow, size, request.start_radius),
           cell_{.shear_modulus = request.shear_modulus, .viscosity_ratio = request.viscosity_ratio},
           radius_(flow.radius()),
           rate_(flow.shear_rate(request.start_radius)),
@@ -162,13 +164,9 @@ class Follower {
         double linear;
     };
     Reading reading(double s, const PlanarState& y) const {
-        const SizeEffect::Effect effect = size_.at(path_.position(s));
-        Reading r{.strain = planar_strain(y), .linear = growth_ * effect.linear};
-        if (effect.log_stretch != 0.0) {
-            const double share = 1.0 - path_.place(s).shear_share;
-            r.strain = SizeEffect::stretched(r.strain, share * effect.log_stretch);
-        }
-        return r;
+        const StreamlinePath::Size size = path_.size(s);
+        return {.strain = SizeEffect::lengthened(planar_strain(y), size.square_stretch),
+                .linear = growth_ * size.linear};
     }
 
     StreamlineState exit_state(double s, const PlanarState& y, double time) const {
@@ -202,7 +200,9 @@ class Follower {
             .scan = Scan(first, value_at(first, start)), .end = start, .at_peak = start, .peak_time = time_};
         const auto take = [&](const OdeStep<3>& step) {
             const double length = step.to - step.from;
-            const auto slowness = [&](double theta) { return slowness_at(step.from + theta * length); };
+            const auto slowness = [&](double theta) {
+                return path_.cell_slowness(step.from + theta * length);
+            };
             const auto time_at = [&](double theta) {
                 const double sum = slowness(0.0) + 4.0 * slowness(0.5 * theta) + slowness(theta);
                 return time_ + theta * length * sum / 6.0;
@@ -229,8 +229,7 @@ class Follower {
             return true;
         };
         const double load = std::clamp(fluid_stress_ / request_.shear_modulus, 1e-6, 1.0);
-        // An explicit step cannot be much longer than the relaxation time.
-        const bool stiff = relaxations(first, last) > 1000.0;
+        const bool stiff = relaxations(first, last) > stiff_from;
         const OdeOptions options{.tolerance = stiff ? stiff_tolerance : tolerance,
                                  .first_step = 0.02 * (last - first),
                                  .max_steps = most_steps};
@@ -242,13 +241,6 @@ class Follower {
         exposure_ += leg.scan.integral();
         leg.end = done.y;
         return leg;
-    }
-
-    /// dt/ds of the cell.
-    [[nodiscard]] double slowness_at(double s) const {
-        const double ink = path_.place(s).slowness;
-        const double slip = size_.at(path_.position(s)).slip;
-        return slip == 0.0 ? ink : ink / SizeEffect::velocity(1.0, slip * ink / path_.stride(s));
     }
 
     [[nodiscard]] bool observing() const {

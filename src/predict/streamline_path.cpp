@@ -10,11 +10,26 @@ namespace {
 
 constexpr double fine = 0.4;  // of the radius: the length over which steps are even
 
-enum Column : std::size_t { xx, xr, rx, tt, thick, radius, slowness, viscous, strain_rate, share };
+enum Column : std::size_t {
+    xx,
+    xr,
+    rx,
+    tt,
+    thick,
+    radius,
+    slowness,
+    viscous,
+    strain_rate,
+    share,
+    longer,
+    linear,
+    slipping
+};
 
 }  // namespace
 
-StreamlinePath::StreamlinePath(const ExitField& field, const NozzleFlow& flow, double start_radius)
+StreamlinePath::StreamlinePath(const ExitField& field, const NozzleFlow& flow, const SizeEffect& size,
+                               double start_radius)
     : scale_(fine * field.radius()),
       first_(std::asinh(-before / fine)),
       step_((std::asinh(after / fine) - first_) / static_cast<double>(knots - 1)),
@@ -43,6 +58,8 @@ StreamlinePath::StreamlinePath(const ExitField& field, const NozzleFlow& flow, d
         drift = p.radial_velocity * per_s;
         velocity = p.axial_velocity;
         const double eta = viscosity(flow.ink(), std::max(p.rate, least));
+        const SizeEffect::Effect effect = size.at(x);
+        const double stretch = (1.0 - p.shear_share) * effect.log_stretch;
         value_[i] = {p.gradient[0][0] * per_s,
                      p.gradient[0][1] * per_s,
                      p.gradient[1][0] * per_s,
@@ -52,7 +69,10 @@ StreamlinePath::StreamlinePath(const ExitField& field, const NozzleFlow& flow, d
                      per_s,
                      logarithmic_ ? std::log(eta) : eta,
                      p.rate,
-                     p.shear_share};
+                     p.shear_share,
+                     std::expm1(2.0 * stretch),
+                     effect.linear,
+                     per_s * p.axial_velocity / SizeEffect::velocity(p.axial_velocity, effect.slip)};
     }
     for (std::size_t c = 0; c < columns; ++c) {
         const auto v = [&](std::size_t i) { return value_[i][c]; };
@@ -116,6 +136,15 @@ StreamlinePath::Place StreamlinePath::place(double s) const {
             .viscosity = read_positive(at, viscous),
             .rate = std::max(0.0, read(at, strain_rate)),
             .shear_share = std::clamp(read(at, share), 0.0, 1.0)};
+}
+
+StreamlinePath::Size StreamlinePath::size(double s) const {
+    const Spot at = spot(s);
+    return {.square_stretch = read(at, longer), .linear = read(at, linear)};
+}
+
+double StreamlinePath::cell_slowness(double s) const {
+    return read(spot(s), slipping);
 }
 
 }  // namespace bioprint

@@ -5,6 +5,7 @@
 
 #include "cell/planar_cell.hpp"
 #include "predict/exit_field.hpp"
+#include "predict/size_effect.hpp"
 
 /// What a cell meets along one streamline through the nozzle's end, tabulated once: the field is far dearer
 /// than the table, and an integration in time asks a thousand times.
@@ -23,8 +24,10 @@ class StreamlinePath {
     static constexpr double before = 4.0;
     static constexpr double after = 7.5;
 
+    /// @param size          of the cell, which is carried along at the ink's place
     /// @param start_radius  far up in the nozzle [m], 0 ≤ r < R
-    StreamlinePath(const ExitField& field, const NozzleFlow& flow, double start_radius);
+    StreamlinePath(const ExitField& field, const NozzleFlow& flow, const SizeEffect& size,
+                   double start_radius);
 
     /// The s of a distance from the lip [m], and back.
     [[nodiscard]] double at_position(double x) const;
@@ -43,9 +46,17 @@ class StreamlinePath {
     };
     [[nodiscard]] Place place(double s) const;
 
+    /// What the cell's own size adds there.
+    struct Size {
+        double square_stretch;  ///< λ² − 1 of the stretch by which it is longer along the axis
+        double linear;          ///< L [Pa]
+    };
+    [[nodiscard]] Size size(double s) const;
+    [[nodiscard]] double cell_slowness(double s) const;  ///< dt/ds of the cell, which slips [s]
+
   private:
     static constexpr std::size_t knots = 129;
-    static constexpr std::size_t columns = 10;
+    static constexpr std::size_t columns = 13;
     using Row = std::array<double, columns>;
     struct Spot {
         std::size_t index;

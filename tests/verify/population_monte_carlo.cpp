@@ -92,8 +92,9 @@ Way follow(const NozzleFlow& flow, const ExitField& field, const SizeEffect& siz
                               now += 0.5 * (slowness + slowness_before) * (s.time - x_before);
                           slowness_before = slowness;
                           x_before = s.time;
-                          add(now, stress(SizeEffect::stretched(planar(strain_of(s.deformation)),
-                                                                (1.0 - p.shear_share) * effect.log_stretch),
+                          add(now, stress(SizeEffect::lengthened(
+                                              planar(strain_of(s.deformation)),
+                                              std::expm1(2.0 * (1.0 - p.shear_share) * effect.log_stretch)),
                                           effect.linear));
                       }).deformation;
     }
