@@ -271,7 +271,7 @@ int answer_rows(const Arguments& arguments, RunOptions options, const Sink& noti
     }
     const bool to_file = arguments.output.has_value();
     if (!(result.interrupted && to_file)) output.commit();
-    pictures.commit();
+    if (!result.interrupted) pictures.commit();
     return status_of(result, to_file);
 }
 

@@ -20,16 +20,6 @@ void require_reportable(const Sweep& sweep) {
                      "--report");
 }
 
-Json rows_of(const Sweep& sweep, const RunOptions& options) {
-    std::vector<Json> rows(sweep.size());
-    for_each_index(rows.size(), options.jobs, [&](std::size_t i) {
-        rows[i] = answer_row([&] { return sweep.row(i); }, options.extras).object;
-    });
-    Json array = Json::array();
-    for (Json& row : rows) array.push_back(std::move(row));
-    return array;
-}
-
 std::string page(const std::vector<std::string>& call, Json answer, const std::vector<Picture>& pictures,
                  bool can_draw, unsigned jobs) {
     Report report{.call = call,
@@ -62,16 +52,38 @@ Pictures::Pictures(PicturesQuestion question, const Sweep& sweep, const Sink& no
 
 void Pictures::draw(RunOptions& options) {
     if (nothing_asked()) return;
-    if (!sweep_.swept().empty()) return draw_sweep(options);
+    if (!sweep_.swept().empty()) return watch_sweep(options);
     options.seen = [this, options](const Json& answer) { draw_question(options, answer); };
 }
 
-void Pictures::draw_sweep(const RunOptions& options) {
+void Pictures::watch_sweep(RunOptions& options) {
+    extras_ = options.extras;
+    jobs_ = options.jobs;
+    if (can_draw_) {
+        values_.emplace(sweep_, options);
+        (void)sweep_picture(sweep_, *values_);  // refuses what it cannot draw
+    }
+    if (question_.report) rows_.resize(sweep_.size());
+    options.row_seen = [this](std::size_t row, const Json& answer) {
+        if (values_) values_->take(row, answer);
+        if (!rows_.empty()) rows_[row] = answer;
+    };
+}
+
+void Pictures::draw_sweep() {
     std::vector<Picture> pictures;
-    if (can_draw_) pictures = {sweep_picture(sweep_, options)};
+    if (values_) {
+        values_->complete();
+        pictures = {sweep_picture(sweep_, *values_)};
+    }
     if (question_.plot) plot(picture_of(question_.plot->kind, pictures.front()));
     if (!question_.report) return;
-    report_ = page(question_.call, rows_of(sweep_, options), pictures, can_draw_, options.jobs);
+    for_each_index(rows_.size(), jobs_, [&](std::size_t i) {
+        if (rows_[i].is_null()) rows_[i] = answer_row([&] { return sweep_.row(i); }, extras_).object;
+    });
+    Json rows = Json::array();
+    for (Json& row : rows_) rows.push_back(std::move(row));
+    report_ = page(question_.call, std::move(rows), pictures, can_draw_, jobs_);
 }
 
 void Pictures::draw_question(const RunOptions& options, const Json& answer) {
@@ -106,6 +118,7 @@ void Pictures::plot(const Picture& picture) {
 }
 
 void Pictures::commit() {
+    if (!nothing_asked() && !sweep_.swept().empty()) draw_sweep();
     if (plot_file_ && !plot_.empty()) {
         plot_file_->write(plot_);
         plot_file_->commit();

@@ -9,6 +9,7 @@
 #include "io/picture.hpp"
 #include "io/plot.hpp"
 #include "io/run.hpp"
+#include "io/sweep_values.hpp"
 #include "io/whole_file.hpp"
 
 /// `--plot` and `--report`: made when their data are known, put in their places after the answer.
@@ -28,23 +29,29 @@ class Pictures {
     /// @throws UsageError  more rows than a report holds
     Pictures(PicturesQuestion question, const Sweep& sweep, const Sink& notice);
 
-    /// Makes what was asked for of a sweep; of a question when `options.seen` gets its answer.
+    /// Makes what was asked for when `options.seen` gets the answer to a question, `options.row_seen` those to the
+    /// rows of a sweep. What cannot be drawn is refused here.
     void draw(RunOptions& options);
     /// The same of a question with its simulation.
     /// @param answer  with the simulation in it
     void draw(const Prediction& prediction, const Comparison& comparison, const Json& answer);
-    /// Writes them.
+    /// Writes them. Rows of a sweep that were answered in an earlier run are answered again.
     void commit();
 
   private:
     [[nodiscard]] bool nothing_asked() const { return !question_.plot && !question_.report; }
-    void draw_sweep(const RunOptions& options);
+    void watch_sweep(RunOptions& options);
+    void draw_sweep();
     void draw_question(const RunOptions& options, const Json& answer);
     void plot(const Picture& picture);
 
     PicturesQuestion question_;
     const Sweep& sweep_;
     bool can_draw_ = true;
+    std::optional<SweepValues> values_;  ///< of a sweep that is drawn
+    std::vector<Json> rows_;             ///< of a sweep that is reported
+    Extras extras_;
+    unsigned jobs_ = 1;
     std::optional<WholeFile> plot_file_;
     std::optional<WholeFile> report_file_;
     std::string plot_;

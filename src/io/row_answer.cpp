@@ -100,6 +100,10 @@ RowText RowWriter::answer(const std::function<Settings()>& question, const Json&
         named.update(answer.object);
         answer.object = std::move(named);
     }
+    return written(answer);
+}
+
+RowText RowWriter::written(const RowAnswer& answer) const {
     RowText row{.text = {}, .refused = answer.refused, .extras = answer.extras};
     if (!options_.paths.empty()) {
         row.text = values_line(answer, options_.paths);

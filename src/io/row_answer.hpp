@@ -54,6 +54,7 @@ class RowWriter {
     [[nodiscard]] std::string csv_row(const Json& answer) const;
     /// @param id  what the asker calls the row, a text or a number, given back with its answer or refusal; null for none
     [[nodiscard]] RowText answer(const std::function<Settings()>& question, const Json& id = nullptr) const;
+    [[nodiscard]] RowText written(const RowAnswer& answer) const;
     /// A row's text with what separates it from the row before.
     [[nodiscard]] std::string placed(const std::string& text, std::size_t index) const;
     [[nodiscard]] std::string tail() const;

@@ -99,11 +99,13 @@ void write_table(const Sweep& sweep, const RunOptions& options, const Sink& sink
         } catch (const Error& e) {
             rows[i].error = e.what();
             rows[i].extras = no_extras(options.extras);
+            if (options.row_seen) options.row_seen(i, refusal_object(current_refusal()));
             return;
         }
-        if (options.extras.empty()) return;
+        if (options.extras.empty() && !options.row_seen) return;
         Json answer = answer_object(*rows[i].prediction);
         rows[i].extras = add_extras(answer, rows[i].settings, options.extras, 1, false);
+        if (options.row_seen) options.row_seen(i, answer);
     });
     for (const SweepRow& row : rows) {
         tally.add(row.extras.checks);
@@ -160,7 +162,9 @@ RunResult run_sweep(const Sweep& sweep, const RunOptions& options, const Sink& s
         const std::size_t count = std::min(chunk_rows, rows.end - begin);
         std::vector<RowText> texts(count);
         for_each_index(count, options.jobs, [&](std::size_t i) {
-            texts[i] = writer.answer([&] { return sweep.row(begin + i); });
+            const RowAnswer answer = answer_row([&] { return sweep.row(begin + i); }, options.extras);
+            if (options.row_seen) options.row_seen(begin + i, answer.object);
+            texts[i] = writer.written(answer);
         });
         for (std::size_t i = 0; i < count; ++i) {
             sink(writer.placed(texts[i].text, begin + i));

@@ -46,6 +46,8 @@ struct RunOptions {
     std::function<void(const RunResult&)> keep = {};  ///< called now and then between two rows
     /// Gets the answer to a single question, with what was asked beyond it, before it is written.
     std::function<void(const Json&)> seen = {};
+    /// Gets the answer to a row of a sweep, or its refusal; from any thread, once for each row that is answered.
+    std::function<void(std::size_t, const Json&)> row_seen = {};
 };
 
 /// Whether the head of the rows is still to be written: neither an earlier part of this run nor another piece has.

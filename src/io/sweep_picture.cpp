@@ -2,20 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
-#include <functional>
 #include <limits>
 #include <numeric>
 #include <set>
 
 #include "bioprint/errors.hpp"
 #include "bioprint/io/number_format.hpp"
-#include "io/answer_object.hpp"
-#include "io/answer_path.hpp"
-#include "io/parallel.hpp"
 #include "io/sweep_title.hpp"
-#include "io/table.hpp"
-#include "io/uncertainty.hpp"
 
 namespace bioprint {
 namespace {
@@ -23,94 +16,6 @@ namespace {
 constexpr std::size_t most_rows = 10000;
 constexpr std::size_t most_marked_points = 16;
 constexpr double decades_want_logarithm = 50.0;  // largest over smallest value
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-
-/// One quantity over all rows.
-struct Quantity {
-    std::string title;
-    std::optional<Dimension> dimension;
-    std::vector<double> values = {};
-    std::string path = {};         ///< in the answer
-    std::vector<double> low = {};  ///< ends of the spread, where one was asked for
-    std::vector<double> high = {};
-};
-
-double number_at(const Json& answer, const std::string& path) {
-    const Json& value = value_at(answer, json_path(answer, path));
-    if (value.is_null()) return nothing;
-    if (!value.is_number()) {
-        throw UsageError("--plot: '" + path + "' is no number; draw a path to one, such as nozzle.stress_max",
-                         "--plot");
-    }
-    return value.get<double>();
-}
-
-std::vector<Quantity> default_quantities(bool population) {
-    std::vector<Quantity> quantities = {
-        {.title = "stress at the wall", .dimension = Dimension::pressure, .path = "nozzle.stress_max"},
-        {.title = "cell in the nozzle",
-         .dimension = Dimension::pressure,
-         .path = "cells.nozzle.stress.von_mises"},
-        {.title = "cell at the exit",
-         .dimension = Dimension::pressure,
-         .path = "cells.exit.stress.von_mises"}};
-    if (population) {
-        quantities.push_back(
-            {.title = "95 % of all cells", .dimension = Dimension::pressure, .path = "population.p95"});
-    }
-    return quantities;
-}
-
-void take(const Settings& settings, const RunOptions& options, std::size_t row,
-          std::vector<Quantity>& quantities) {
-    const Prediction prediction = predict(settings.make_case());
-    if (options.paths.empty()) {
-        quantities[0].values[row] = prediction.nozzle.stress_max;
-        quantities[1].values[row] = nozzle_stress(prediction);
-        quantities[2].values[row] = exit_stress(prediction).value_or(nothing);
-        if (prediction.population && quantities.size() > 3)
-            quantities[3].values[row] = prediction.population->peak_stress.percentile_95;
-    }
-    if (options.paths.empty() && !options.extras.uncertainty.wanted) return;
-    Json answer = answer_object(prediction);
-    if (options.extras.uncertainty.wanted) add_uncertainty(answer, settings, options.extras.uncertainty, 1);
-    for (Quantity& quantity : quantities) {
-        if (!options.paths.empty()) quantity.values[row] = number_at(answer, quantity.path);
-        if (!options.extras.uncertainty.wanted) continue;
-        if (const Json* const spread = spread_of(answer, quantity.path)) {
-            quantity.low[row] = spread->at("percentile_5").get<double>();
-            quantity.high[row] = spread->at("percentile_95").get<double>();
-        }
-    }
-}
-
-std::vector<Quantity> computed(const Sweep& sweep, const RunOptions& options) {
-    std::vector<Quantity> quantities = default_quantities(sweep.fixed().has(Key::population));
-    if (!options.paths.empty()) {
-        quantities.clear();
-        for (const std::string& path : options.paths) {
-            quantities.push_back({.title = path, .dimension = dimension_at(path), .path = path});
-        }
-    }
-    for (Quantity& quantity : quantities) {
-        quantity.values.assign(sweep.size(), nothing);
-        if (!options.extras.uncertainty.wanted) continue;
-        quantity.low = quantity.high = quantity.values;
-    }
-    std::vector<std::exception_ptr> refusals(sweep.size());
-    for_each_index(sweep.size(), options.jobs, [&](std::size_t row) {
-        if (options.interrupted != nullptr && *options.interrupted) throw DataError("interrupted");
-        try {
-            take(sweep.row(row), options, row, quantities);
-        } catch (const Error&) {
-            refusals[row] = std::current_exception();
-        }
-    });
-    if (std::all_of(refusals.begin(), refusals.end(), [](const auto& r) { return r != nullptr; })) {
-        std::rethrow_exception(refusals.front());
-    }
-    return quantities;
-}
 
 std::string value_label(const Settings& row, Key key) {
     const KeyInfo& info = info_of(key);
@@ -196,8 +101,8 @@ class Lines {
     std::vector<std::string> names_;
 };
 
-Series series_of(const Lines& lines, const Lines::Line& line, const Quantity& quantity, std::string title,
-                 int style) {
+Series series_of(const Lines& lines, const Lines::Line& line, const SweepQuantity& quantity,
+                 std::string title, int style) {
     std::vector<std::size_t> order(line.rows.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(),
@@ -230,10 +135,11 @@ void choose_logarithm(Panel& panel) {
 }
 
 /// One line in all: quantities of one unit share a panel.
-std::vector<Panel> panels_by_unit(const Lines& lines, const std::vector<Quantity>& quantities, bool named) {
+std::vector<Panel> panels_by_unit(const Lines& lines, const std::vector<SweepQuantity>& quantities,
+                                  bool named) {
     std::vector<Panel> panels;
     std::vector<std::optional<Dimension>> dimensions;
-    for (const Quantity& quantity : quantities) {
+    for (const SweepQuantity& quantity : quantities) {
         auto place = std::find(dimensions.begin(), dimensions.end(), quantity.dimension);
         if (place == dimensions.end() || !quantity.dimension) {
             place = dimensions.insert(dimensions.end(), quantity.dimension);
@@ -254,9 +160,9 @@ std::vector<Panel> panels_by_unit(const Lines& lines, const std::vector<Quantity
     return panels;
 }
 
-std::vector<Panel> panels_by_quantity(const Lines& lines, const std::vector<Quantity>& quantities) {
+std::vector<Panel> panels_by_quantity(const Lines& lines, const std::vector<SweepQuantity>& quantities) {
     std::vector<Panel> panels;
-    for (const Quantity& quantity : quantities) {
+    for (const SweepQuantity& quantity : quantities) {
         Panel panel{
             .title = "", .x = lines.axis(), .y = {.title = quantity.title, .dimension = quantity.dimension}};
         int style = 0;
@@ -280,27 +186,24 @@ void require_few_lines(const std::vector<Panel>& panels) {
 
 }  // namespace
 
-Picture sweep_picture(const Sweep& sweep, const RunOptions& options) {
+Picture sweep_picture(const Sweep& sweep, const SweepValues& values) {
     if (sweep.size() > most_rows) {
         throw UsageError("--plot: the sweep has " + std::to_string(sweep.size()) + " rows and at most " +
                              std::to_string(most_rows) + " are drawn; take a coarser step",
                          "--plot");
     }
     const Lines lines(sweep);
-    const std::vector<Quantity> quantities = computed(sweep, options);
     std::vector<Panel> panels = lines.lines().size() == 1
-                                    ? panels_by_unit(lines, quantities, !options.paths.empty())
-                                    : panels_by_quantity(lines, quantities);
+                                    ? panels_by_unit(lines, values.quantities(), values.named())
+                                    : panels_by_quantity(lines, values.quantities());
     require_few_lines(panels);
     for (Panel& panel : panels) choose_logarithm(panel);
     Picture picture{
         .name = "sweep",
         .title = sweep_title(sweep),
-        .subtitle = sweep_subtitle(sweep) + (options.extras.uncertainty.wanted ? "; bars: 5 to 95 %" : ""),
-        .caption =
-            std::string("Each point is a prediction; a gap is a row without an answer.") +
-            (options.extras.uncertainty.wanted ? " Bars: 5 to 95 % of the answers to the uncertain inputs."
-                                               : ""),
+        .subtitle = sweep_subtitle(sweep) + (values.spread() ? "; bars: 5 to 95 %" : ""),
+        .caption = std::string("Each point is a prediction; a gap is a row without an answer.") +
+                   (values.spread() ? " Bars: 5 to 95 % of the answers to the uncertain inputs." : ""),
         .rows = {}};
     for (std::size_t i = 0; i < panels.size(); i += 2) {
         PictureRow row{.panels = {std::move(panels[i])}, .height = panels.size() == 1 ? 480 : 400};
