@@ -257,6 +257,16 @@ const Json* step_into(const Json& place, const std::string& name) {
     return index < place.size() ? &place[index] : nullptr;
 }
 
+/// "stress.von_mises" where a path says "von_mises" of what has a stress; empty when nothing below has it.
+std::string entry_with(const Json& place, const std::string& rest) {
+    const std::string name = rest.substr(0, rest.find('.'));
+    if (!place.is_object()) return {};
+    for (const auto& [key, value] : place.items()) {
+        if (value.is_object() && value.contains(name)) return key + "." + rest;
+    }
+    return {};
+}
+
 }  // namespace
 
 Json answer_object(const Prediction& prediction) {
@@ -327,9 +337,12 @@ const Json& value_at(const Json& answer, std::string_view path, std::string_view
         if (next == nullptr) {
             const std::string known =
                 begin == 0 ? "the answer" : "'" + std::string(path.substr(0, begin - 1)) + "'";
-            throw UsageError(std::string(option) + ": no value at '" + std::string(path) + "'; " + known +
-                                 " has " + offered_by(*place),
-                             std::string(option));
+            const std::string deeper = entry_with(*place, std::string(path.substr(begin)));
+            throw UsageError(
+                std::string(option) + ": no value at '" + std::string(path) + "'; " +
+                    (deeper.empty() ? known + " has " + offered_by(*place)
+                                    : "did you mean '" + std::string(path.substr(0, begin)) + deeper + "'?"),
+                std::string(option));
         }
         place = next;
         begin = end + 1;

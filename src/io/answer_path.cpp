@@ -113,14 +113,30 @@ std::string json_path(const Json& answer, std::string_view path) {
     return std::string(path);
 }
 
-std::optional<double> number_at(const Json& answer, std::string_view path, std::string_view option) {
+const Json& value_meant(const Json& answer, std::string_view path, std::string_view option) {
     const std::string real = json_path(answer, path);
-    const Json& value = value_at(answer, real, option);
+    try {
+        return value_at(answer, real, option);
+    } catch (const UsageError& e) {
+        const auto [own, written] = std::mismatch(real.rbegin(), real.rend(), path.rbegin(), path.rend());
+        const std::string begin = "'" + std::string(real.begin(), own.base());
+        const std::string short_form = "'" + std::string(path.begin(), written.base());
+        std::string text = e.what();
+        for (std::size_t at = text.find(begin); at != std::string::npos;
+             at = text.find(begin, at + short_form.size())) {
+            text.replace(at, begin.size(), short_form);
+        }
+        throw UsageError(text, std::string(option));
+    }
+}
+
+std::optional<double> number_at(const Json& answer, std::string_view path, std::string_view option) {
+    const Json& value = value_meant(answer, path, option);
     if (value.is_number()) return value.get<double>();
     if (value.is_null()) return std::nullopt;
     const std::string name = std::string(option) + ": '" + std::string(path) + "' is ";
     if (value.is_structured()) {
-        throw UsageError(name + "not one value; add what is meant below it, such as '" + real +
+        throw UsageError(name + "not one value; add what is meant below it, such as '" + std::string(path) +
                              (value.is_array() || value.empty() ? ".0" : "." + value.begin().key()) + "'",
                          std::string(option));
     }

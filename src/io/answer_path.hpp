@@ -24,6 +24,10 @@ std::string member_path(std::string path, std::string_view name);
 /// The path of the JSON answer that `path` means; itself where it is no short form.
 std::string json_path(const Json& answer, std::string_view path);
 
+/// What stands at a path, short forms included.
+/// @throws UsageError  naming `option` and the path as it was written: no such place
+const Json& value_meant(const Json& answer, std::string_view path, std::string_view option = "--get");
+
 /// The number or null at a path, short forms included.
 /// @throws UsageError  naming `option`: no such place, or a text or list there
 std::optional<double> number_at(const Json& answer, std::string_view path, std::string_view option);

@@ -121,7 +121,7 @@ RunResult answer_design(const DesignQuestion& question, const Settings& base, co
                                             options.extras, options.jobs, true);
     if (!options.paths.empty()) {
         for (const std::string& path : options.paths) {
-            sink(value_text(value_at(answer, json_path(answer, path))) + "\n");
+            sink(value_text(value_meant(answer, path)) + "\n");
         }
         for (const Warning& warning : prediction.warnings) notice(warning.message);
     } else if (options.format == Format::table) {

@@ -35,7 +35,7 @@ std::string values_line(const RowAnswer& answer, const std::vector<std::string>&
         if (path == "id" ? !answer.object.contains("id") : answer.refused) {
             line += "null";
         } else {
-            line += value_text(value_at(answer.object, json_path(answer.object, path)));
+            line += value_text(value_meant(answer.object, path));
         }
     }
     return line + '\n';

@@ -53,7 +53,7 @@ void answer_one(const Settings& row, const RunOptions& options, const Sink& sink
     if (options.seen) options.seen(answer);
     if (!options.paths.empty()) {
         for (const std::string& path : options.paths) {
-            sink(value_text(value_at(answer, json_path(answer, path))) + "\n");
+            sink(value_text(value_meant(answer, path)) + "\n");
         }
         for (const Warning& warning : prediction.warnings) notice(warning.message);
         return;

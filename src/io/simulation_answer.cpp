@@ -231,7 +231,7 @@ std::vector<std::string> write(const Prediction& prediction, const Comparison& c
     if (options.seen) options.seen(answer);
     if (!options.paths.empty()) {
         for (const std::string& path : options.paths) {
-            sink(value_text(value_at(answer, json_path(answer, path))) + "\n");
+            sink(value_text(value_meant(answer, path)) + "\n");
         }
     } else if (options.format == Format::table) {
         sink(answer_table(prediction, options.style) + simulation_table(comparison, question, options.style) +

@@ -102,6 +102,23 @@ TEST_CASE("check: a value that does not exist holds no condition and the sentenc
     CHECK(contains(sentence(check, result), "--length"));
 }
 
+TEST_CASE("check: a mistaken path is told in the words it was written in, with the place that was meant") {
+    const Json full = answer();
+    const auto told = [&](const std::string& path) -> std::string {
+        try {
+            (void)value_meant(full, path);
+        } catch (const UsageError& e) {
+            return e.what();
+        }
+        return "";
+    };
+    CHECK(told("cells.exit.von_mises") ==
+          "--get: no value at 'cells.exit.von_mises'; did you mean 'cells.exit.stress.von_mises'?");
+    CHECK(told("stress_max") == "--get: no value at 'stress_max'; did you mean 'nozzle.stress_max'?");
+    CHECK(contains(told("cells.exit.weight"), "'cells.exit' has place, model, "));
+    CHECK(told("cells.exit.stress.von_mises").empty());
+}
+
 TEST_CASE("check: a place no answer has is a mistake and one that others have is a missing value") {
     const Json full = answer();
     const Check typo = parse_check("nozzle.stres_max<2", "--check");
