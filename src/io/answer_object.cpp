@@ -128,7 +128,7 @@ Json nozzle_object(const NozzleAnswer& nozzle) {
         .add("pressure_drop", number(nozzle.pressure_drop))
         .add("residence_time", number(nozzle.residence_time));
     if (nozzle.plug_radius) object.add("plug_radius", number(nozzle.plug_radius));
-    return object.take();
+    return object.add("error", number(nozzle.error)).take();
 }
 
 std::string_view model_name(Model model) {
@@ -166,7 +166,7 @@ Json cell_object(const CellAnswer& cell) {
                            .take());
     if (cell.place == Place::exit) object.add("relaxation_time", number(cell.relaxation_time));
     if (cell.applies) object.add("applies", *cell.applies);
-    object.add("error", number(cell.error));
+    object.add("error", number(cell.error)).add("strain_error", number(cell.strain_error));
     return object.take();
 }
 
@@ -179,6 +179,7 @@ Json passage_object(const PassageAnswer& passage) {
                          .add("von_mises", number(passage.von_mises))
                          .add("place", place(passage.place))
                          .add("position", number(passage.position))
+                         .add("error", number(passage.error))
                          .take())
         .add("nozzle", ObjectBuilder()
                            .add("von_mises_peak", number(passage.nozzle_peak))
@@ -186,11 +187,13 @@ Json passage_object(const PassageAnswer& passage) {
                            .add("settles", passage.settles ? Json(*passage.settles) : Json(nullptr))
                            .add("settling_time", number(passage.settling_time))
                            .add("exposure", number(passage.nozzle_exposure))
+                           .add("error", number(passage.nozzle_error))
                            .take())
         .add("exit", ObjectBuilder()
                          .add("von_mises_peak", number(passage.exit_peak))
                          .add("position", number(passage.exit_position))
                          .add("exposure", number(passage.exit_exposure))
+                         .add("error", number(passage.exit_error))
                          .take())
         .add("strand_offset", number(passage.strand_offset))
         .take();
@@ -207,7 +210,8 @@ Json distribution_object(const Distribution& d) {
         .take();
 }
 
-Json population_object(const Population& population, const Case& question) {
+Json population_object(const Population& population, const std::optional<double>& error,
+                       const Case& question) {
     const std::vector<double>& thresholds = question.thresholds;
     Json shares = Json::array();
     for (std::size_t i = 0; i < thresholds.size(); ++i) {
@@ -222,6 +226,7 @@ Json population_object(const Population& population, const Case& question) {
         .add("thresholds", std::move(shares))
         .add("exposure", population.exposure ? distribution_object(*population.exposure) : Json(nullptr))
         .add("published", published_object(published_limits(question.cell.name)))
+        .add("error", number(error))
         .take();
 }
 
@@ -284,6 +289,7 @@ Json answer_object(const Prediction& prediction) {
         .add("exit", ObjectBuilder()
                          .add("elongation_rate", number(prediction.exit.elongation_rate))
                          .add("elongational_stress", number(prediction.exit.elongational_stress))
+                         .add("error", number(prediction.exit.error))
                          .take())
         .add("cells", std::move(cells));
     if (!prediction.passages.empty()) {
@@ -292,7 +298,8 @@ Json answer_object(const Prediction& prediction) {
         answer.add("passages", std::move(passages));
     }
     if (prediction.population) {
-        answer.add("population", population_object(*prediction.population, prediction.question));
+        answer.add("population", population_object(*prediction.population, prediction.population_error,
+                                                   prediction.question));
     }
     if (prediction.profile) answer.add("profile", profile_object(*prediction.profile));
     return answer.add("warnings", std::move(warnings)).take();

@@ -32,7 +32,7 @@ constexpr std::array<std::string_view, 25> leading_paths = {"input.radius",
                                                             "nozzle.pressure_drop",
                                                             "nozzle.residence_time",
                                                             "exit.elongation_rate"};
-constexpr std::array<std::string_view, 18> cell_paths = {"place",
+constexpr std::array<std::string_view, 20> cell_paths = {"place",
                                                          "model",
                                                          "offset",
                                                          "offset_in_cell_radii",
@@ -49,8 +49,10 @@ constexpr std::array<std::string_view, 18> cell_paths = {"place",
                                                          "stress.elastic.2",
                                                          "stress.viscous",
                                                          "relaxation_time",
-                                                         "applies"};
-constexpr std::array<std::string_view, 14> passage_paths = {"offset",
+                                                         "applies",
+                                                         "error",
+                                                         "strain_error"};
+constexpr std::array<std::string_view, 17> passage_paths = {"offset",
                                                             "offset_in_cell_radii",
                                                             "peak.von_mises",
                                                             "peak.place",
@@ -63,19 +65,27 @@ constexpr std::array<std::string_view, 14> passage_paths = {"offset",
                                                             "exit.von_mises_peak",
                                                             "exit.position",
                                                             "exit.exposure",
-                                                            "strand_offset"};
-constexpr std::array<std::string_view, 13> population_paths = {
+                                                            "strand_offset",
+                                                            "peak.error",
+                                                            "nozzle.error",
+                                                            "exit.error"};
+constexpr std::array<std::string_view, 14> population_paths = {
     "population.peak_stress.mean",          "population.peak_stress.median",
     "population.peak_stress.percentile_90", "population.peak_stress.percentile_95",
     "population.peak_stress.percentile_99", "population.peak_stress.largest",
     "population.share_peaking_at_exit",     "population.exposure.mean",
     "population.exposure.median",           "population.exposure.percentile_90",
     "population.exposure.percentile_95",    "population.exposure.percentile_99",
-    "population.exposure.largest"};
+    "population.exposure.largest",          "population.error"};
 // Behind all that an ink by the Cross law has, so that its columns stay where they were.
-constexpr std::array<std::string_view, 6> law_paths = {"input.ink.law",        "input.ink.consistency",
-                                                       "input.ink.flow_index", "input.ink.yield_stress",
-                                                       "input.ink.transition", "nozzle.plug_radius"};
+constexpr std::array<std::string_view, 8> law_paths = {
+    "input.ink.law",        "input.ink.consistency", "input.ink.flow_index", "input.ink.yield_stress",
+    "input.ink.transition", "nozzle.plug_radius",    "nozzle.error",         "exit.error"};
+
+/// What is known of a model, not a result of the inputs, which can have a spread.
+bool is_error(std::string_view path) {
+    return path.ends_with("error");
+}
 constexpr std::array<std::string_view, 4> trailing_paths = {"warnings", "error.code", "error.message",
                                                             "error.option"};
 
@@ -122,17 +132,20 @@ std::vector<std::string> spread_numbers(std::size_t cell_entries, bool populatio
     paths.emplace_back("exit.elongational_stress");
     for (std::size_t i = 0; i < cell_entries; ++i) {
         for (const std::string_view path : cell_paths) {
-            if (path != "place" && path != "model" && path != "applies")
+            if (path != "place" && path != "model" && path != "applies" && !is_error(path))
                 paths.push_back("cells." + std::to_string(i) + "." + std::string(path));
         }
     }
     for (std::size_t i = 0; i < passages; ++i) {
         for (const std::string_view path : passage_paths) {
-            if (path != "peak.place" && path != "nozzle.settles")
+            if (path != "peak.place" && path != "nozzle.settles" && !is_error(path))
                 paths.push_back("passages." + std::to_string(i) + "." + std::string(path));
         }
     }
-    if (population) paths.insert(paths.end(), population_paths.begin(), population_paths.end());
+    if (!population) return paths;
+    for (const std::string_view path : population_paths) {
+        if (!is_error(path)) paths.emplace_back(path);
+    }
     return paths;
 }
 

@@ -127,10 +127,23 @@ std::string nozzle_section(const NozzleAnswer& nozzle, TableStyle style) {
     return "\n" + heading("In the nozzle", style) + two_columns(entries);
 }
 
+/// "±12%", or a dash where nothing was measured.
+std::string error_text(const std::optional<double>& error) {
+    return error ? "±" + bare_text(100.0 * *error, 2) + "%" : "–";
+}
+
+/// A value with its error, which stand below each other in a column.
+std::string with_error(const std::string& value, const std::optional<double>& error) {
+    return value + " " + padded(error_text(error), 4, false);
+}
+
 std::string exit_section(const ExitAnswer& exit, TableStyle style) {
+    const auto text = [&](double value, Dimension dimension) {
+        return lab_text(value, dimension) + (exit.error ? " " + error_text(exit.error) : "");
+    };
     return "\n" + heading("At the exit", style) +
-           two_columns({{"elongation rate", lab_text(exit.elongation_rate, Dimension::rate)},
-                        {"elongational stress", lab_text(exit.elongational_stress, Dimension::pressure)}});
+           two_columns({{"elongation rate", text(exit.elongation_rate, Dimension::rate)},
+                        {"elongational stress", text(exit.elongational_stress, Dimension::pressure)}});
 }
 
 std::string_view model_label(Model model) {
@@ -183,12 +196,16 @@ std::string cells_section(const Prediction& prediction, TableStyle style) {
             return cell.stretch ? bare_text((*cell.stretch)[i]) : "–";
         };
         rows.push_back({cell.place == Place::nozzle ? "nozzle" : "exit", bare_text(cell.offset * 1e6),
-                        stress(cell.fluid_stress), cell.stress ? stress(cell.stress->von_mises) : "–",
+                        stress(cell.fluid_stress),
+                        cell.stress ? with_error(stress(cell.stress->von_mises), cell.error) : "–",
                         cell.stress ? stress(cell.stress->viscous) : "–", stretch(0), stretch(1), stretch(2),
                         cell.angle ? bare_text(*cell.angle * 180.0 / std::numbers::pi, 3) : "–",
                         second ? "(steady)" : std::string(model_label(cell.model))});
     }
-    return "\n" + heading("Cells: stress of the ink, stress and stretch of the cell", style) + grid(rows, 1);
+    return "\n" +
+           heading("Cells: stress of the ink, stress (± largest error measured) and stretch of the cell",
+                   style) +
+           grid(rows, 1);
 }
 
 /// Where each carried cell bears its largest stress, and whether the nozzle is long enough for it to settle.
@@ -208,7 +225,7 @@ std::string passages_section(const Prediction& prediction, TableStyle style) {
     }
     for (const PassageAnswer& p : prediction.passages) {
         const auto stress = [&](double value) { return in_column(value, unit, largest); };
-        rows.push_back({bare_text(p.offset * 1e6), stress(p.von_mises),
+        rows.push_back({bare_text(p.offset * 1e6), with_error(stress(p.von_mises), p.error),
                         p.place == Place::nozzle ? "nozzle" : "exit",
                         p.position ? bare_text(*p.position * 1e6) : "–", stress(p.nozzle_peak),
                         stress(p.nozzle_steady), stress(p.exit_peak)});
@@ -244,7 +261,10 @@ std::string population_section(const Prediction& prediction, TableStyle style) {
         rows.push_back({name, show(d.mean), show(d.median), show(d.percentile_90), show(d.percentile_95),
                         show(d.percentile_99), show(d.largest)});
     };
-    row("peak stress", population.peak_stress,
+    const std::string name =
+        "peak stress" +
+        (prediction.population_error ? " " + error_text(prediction.population_error) : std::string());
+    row(name.c_str(), population.peak_stress,
         [](double value) { return lab_text(value, Dimension::pressure); });
     if (population.exposure) {
         row("exposure [Pa s]", *population.exposure, [](double value) { return bare_text(value); });

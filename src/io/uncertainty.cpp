@@ -30,10 +30,16 @@ std::string_view kind_name(SpreadKind kind) {
     return "";
 }
 
+/// What is known of a model is no result of the inputs.
+bool has_spread(const std::string& name) {
+    return name != "error" && name != "strain_error";
+}
+
 /// The numbers of an answer where the one to the question as it stands has a number or null; NaN where not.
 void collect(const Json& shape, const Json* value, std::vector<double>& numbers) {
     if (shape.is_object()) {
         for (const auto& item : shape.items()) {
+            if (!has_spread(item.key())) continue;
             const bool has = value != nullptr && value->is_object() && value->contains(item.key());
             collect(item.value(), has ? &value->at(item.key()) : nullptr, numbers);
         }
@@ -143,6 +149,7 @@ class Sampling {
         if (shape.is_object()) {
             Json object = Json::object();
             for (const auto& item : shape.items()) {
+                if (!has_spread(item.key())) continue;
                 if (std::optional<Json> inner = mirrored(item.value(), next))
                     object[item.key()] = std::move(*inner);
             }

@@ -7,11 +7,11 @@
 #include "bioprint/errors.hpp"
 #include "bioprint/flow/nozzle_exit.hpp"
 #include "bioprint/flow/nozzle_flow.hpp"
-#include "bioprint/predict/ladder.hpp"
 #include "bioprint/predict/prediction.hpp"
 #include "numerics/brief.hpp"
 #include "predict/carried_cells.hpp"
 #include "predict/resting_ink.hpp"
+#include "predict/stated_errors.hpp"
 #include "predict/warnings.hpp"
 
 namespace bioprint {
@@ -200,25 +200,6 @@ void require_finite(const CellAnswer& cell) {
     }
 }
 
-/// The largest error of the entry's model on questions like this one (ladder.hpp).
-std::optional<double> measured_error(const CellAnswer& cell, const NozzleFlow& flow,
-                                     const CellChoice& choice) {
-    if (!cell.stress || flow.velocity_average() == 0.0) return std::nullopt;
-    const bool centred = cell.offset == 0.0;
-    const bool nozzle = cell.place == Place::nozzle;
-    const Rung rung = cell.model == Model::ellipsoid ? Rung::ellipsoid : Rung::steady;
-    if (!centred) {
-        return expected_error(nozzle ? QuestionKind::channel_off_axis : QuestionKind::exit_off_axis, rung,
-                              flow.stress(cell.offset) / choice.shear_modulus);
-    }
-    if (nozzle) {
-        return expected_error(QuestionKind::channel, rung,
-                              flow.pressure_gradient() * choice.radius / choice.shear_modulus);
-    }
-    return expected_error(QuestionKind::exit, rung,
-                          nozzle_exit(flow).elongational_stress / choice.shear_modulus);
-}
-
 }  // namespace
 
 Prediction predict(const Case& question) {
@@ -252,7 +233,7 @@ Prediction predict(const Case& question) {
     if (question.population) add_population(flow, prediction);
     if (question.profile_points > 0) prediction.profile = profile_of(flow, question.profile_points);
     judge_steady_models(prediction, flow);
-    for (CellAnswer& cell : prediction.cells) cell.error = measured_error(cell, flow, question.cell);
+    state_errors(prediction, flow);
     std::vector<Warning> warnings = warnings_of(prediction, flow);
     prediction.warnings.insert(prediction.warnings.begin(), std::make_move_iterator(warnings.begin()),
                                std::make_move_iterator(warnings.end()));

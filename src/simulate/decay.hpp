@@ -1,12 +1,19 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
 namespace bioprint {
 
+/// Where the ink of the strand strains no more, in nozzle radii behind the lip.
+inline constexpr double strand_at_rest = 1.5;
+
 /// The decay time of a stress after its peak: least squares of its logarithm between half and a twentieth of the
-/// peak. None when fewer than three samples lie there or they do not fall.
-std::optional<double> decay_time(const std::vector<double>& time, const std::vector<double>& stress);
+/// peak. None when fewer than three samples lie there or they do not fall, or when the first of them is not yet where
+/// the load is gone: it is the load's fading then, not the cell's relaxation.
+/// @param free_from  the first sample there
+std::optional<double> decay_time(const std::vector<double>& time, const std::vector<double>& stress,
+                                 std::size_t free_from);
 
 }  // namespace bioprint

@@ -163,7 +163,7 @@ class Passage {
     std::vector<Sample> samples_;
 };
 
-std::optional<double> relaxation_time(const std::vector<Sample>& samples) {
+std::optional<double> relaxation_time(const Run& run, const std::vector<Sample>& samples) {
     std::vector<double> time;
     std::vector<double> stress;
     time.reserve(samples.size());
@@ -172,7 +172,10 @@ std::optional<double> relaxation_time(const std::vector<Sample>& samples) {
         time.push_back(s.time);
         stress.push_back(s.stress);
     }
-    return decay_time(time, stress);
+    const double strand = strand_at_rest * run.scene.nozzle_radius;
+    const auto free =
+        std::find_if(samples.begin(), samples.end(), [&](const Sample& s) { return s.x >= strand; });
+    return decay_time(time, stress, static_cast<std::size_t>(free - samples.begin()));
 }
 
 void leave_values(const Run& run, const std::vector<Sample>& samples, double start) {
@@ -188,10 +191,13 @@ void leave_values(const Run& run, const std::vector<Sample>& samples, double sta
     run.log.value("stretch_radial_max",
                   std::max_element(samples.begin(), samples.end(), by(&Sample::radial))->radial);
     run.log.value("peak_position", top->x);
-    if (const auto tau = relaxation_time(samples)) {
+    if (const auto tau = relaxation_time(run, samples)) {
         run.log.value("relaxation_time", *tau);
     } else {
-        run.log.warn("no-relaxation-time", "the stress did not fall from a half to a twentieth of its peak");
+        run.log.warn(
+            "no-relaxation-time",
+            "the stress fell while the ink still strained the cell, or not from a half to a twentieth of "
+            "its peak: that is no time of the cell's own");
     }
 }
 

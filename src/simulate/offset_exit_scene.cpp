@@ -438,7 +438,10 @@ OffsetExitResult run_offset_exit(const OffsetExitSetup& setup) {
         time.push_back(s.time);
         stress.push_back(s.von_mises);
     }
-    result.relaxation_time = decay_time(time, stress);
+    const double strand = strand_at_rest * setup.radius;
+    const auto free = std::find_if(result.series.begin(), result.series.end(),
+                                   [&](const OffsetExitSample& s) { return s.position >= strand; });
+    result.relaxation_time = decay_time(time, stress, static_cast<std::size_t>(free - result.series.begin()));
     return result;
 }
 

@@ -26,9 +26,10 @@ constexpr std::size_t averaged = 8;            ///< samples of a velocity
 constexpr double gap_in_nodes = 1.5;           ///< between cell and wall at the start
 constexpr double most_nodes = 4e7;             ///< 90 bytes each
 constexpr double nodes_of_known_errors = 6.0;  ///< a cell radius
-/// σ_f/μ in shear. Below, the lattice resolves the cell's slow turning in ever more steps; above, elements of 3 nodes a
+/// σ_f/μ in shear. Below, the lattice resolves the cell's slow turning in ever more steps, and a draft's viscous stress
+/// is 15 % off at 0.004 and 27 % at 0.003; above, elements of 3 nodes a
 /// radius give a stress that is wrong by 14 % at 2.5 and by 54 % at 2.8, and from 3 on turn inside out.
-constexpr double least_shear_load = 3e-3;
+constexpr double least_shear_load = 6e-3;
 constexpr double most_shear_load = 2.2;
 constexpr double most_shear_load_refined = 2.5;  ///< from 6 nodes on: 1.8 % off there, and at 4 inside out
 constexpr double largest_volume_drift = 0.02;
@@ -390,7 +391,7 @@ constexpr std::array<KnownError, 9> known_errors{
      {.name = "radial_position", .relative = 0.0025},
      {.name = "migration_velocity", .relative = 0.0, .of_velocity = 2e-3},
      {.name = "peak_position", .relative = 0.0, .of_radius = 0.03},
-     {.name = "relaxation_time", .relative = 0.0125}}};
+     {.name = "relaxation_time", .relative = 0.0206}}};
 constexpr double known_stress_error = 0.025;
 
 double known_error(const Scene& scene, const SimulatedValue& v) {

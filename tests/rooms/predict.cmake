@@ -1,5 +1,6 @@
 bioprint_tests(predict
   SOURCES unit/predict/laws.cpp unit/predict/predict.cpp unit/predict/exit_kind.cpp
+          unit/predict/stated_errors.cpp
   LINKS predict)
 
 # 1e5 random calls; RC_PARAMS sets the number, a failing case prints its own reproduction.

@@ -24,11 +24,14 @@ struct NozzleAnswer {
     std::optional<double> pressure_drop;   ///< [Pa], with a length
     std::optional<double> residence_time;  ///< length/u_avg [s], with a length and a flow
     std::optional<double> plug_radius;     ///< within which the ink is not sheared [m], with a yield stress
+    double error = 0.0;                    ///< relative, of each of these, against references of fifty digits
 };
 
 struct ExitAnswer {
     double elongation_rate;      ///< [1/s]
     double elongational_stress;  ///< [Pa]
+    std::optional<double> error =
+        {};  ///< relative, of both, as measured; none: not known, as everywhere below
 };
 
 enum class Place { nozzle, exit };
@@ -53,10 +56,10 @@ struct CellAnswer {
     std::optional<double> angle;      ///< [rad]; at the exit negative where axis 1 leans away from the axis
     std::optional<double> frequency;  ///< of tank treading [1/s]
     std::optional<CellStress> stress;
-    std::optional<double> relaxation_time;  ///< in the strand [s]; exit only
-    std::optional<double> error =
-        {};  ///< of the von Mises stress, relative, as measured (ladder.hpp); none: not known
-    std::optional<bool> applies = {};  ///< of a steady model: whether its assumptions hold here
+    std::optional<double> relaxation_time;    ///< in the strand [s]; exit only
+    std::optional<double> error = {};         ///< relative, of its stress, as measured (ladder.hpp)
+    std::optional<double> strain_error = {};  ///< relative, of each stretch less one
+    std::optional<bool> applies = {};         ///< of a steady model: whether its assumptions hold here
 };
 
 /// The whole way of one cell carried in time, through nozzle and exit into the strand.
@@ -72,10 +75,13 @@ struct PassageAnswer {
     double exit_peak;                ///< the largest at the exit [Pa]
     double exit_position;            ///< and how far behind the lip [m]
     std::optional<bool> settles;     ///< whether the nozzle is long enough; with a length, as the next two
-    std::optional<double> settling_time;    ///< from the entrance to within 5 % of the settled stress [s]
-    std::optional<double> nozzle_exposure;  ///< ∫ von Mises dt to 4 radii before the lip [Pa s]
-    double exit_exposure;                   ///< the same from there to 7.5 radii behind the lip [Pa s]
-    double strand_offset;                   ///< distance from the axis in the strand [m]
+    std::optional<double> settling_time;      ///< from the entrance to within 5 % of the settled stress [s]
+    std::optional<double> nozzle_exposure;    ///< ∫ von Mises dt to 4 radii before the lip [Pa s]
+    double exit_exposure;                     ///< the same from there to 7.5 radii behind the lip [Pa s]
+    double strand_offset;                     ///< distance from the axis in the strand [m]
+    std::optional<double> error = {};         ///< relative, of the largest stress on the way
+    std::optional<double> nozzle_error = {};  ///< of the stresses and the exposure in the nozzle
+    std::optional<double> exit_error = {};    ///< of those at the exit
 };
 
 struct RadialProfile {
@@ -100,6 +106,7 @@ struct Prediction {
     std::vector<PassageAnswer> passages;  ///< by position; only of cells carried in time
     std::optional<RadialProfile> profile;
     std::optional<Population> population;
+    std::optional<double> population_error = {};  ///< relative, of its stresses; cells at the wall aside
     std::vector<Warning> warnings;
 };
 
