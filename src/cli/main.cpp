@@ -244,6 +244,7 @@ int answer_kept_rows(const Arguments& arguments, RunOptions options, const Sink&
         }
         kept.finish(result);
     }
+    pictures.finish();
     pictures.commit();
     notice(std::to_string(result.rows) + " rows answered in " + kept.answers() +
            (result.refused > 0 ? ", " + std::to_string(result.refused) + " of them refused" : ""));
@@ -270,6 +271,7 @@ int answer_rows(const Arguments& arguments, RunOptions options, const Sink& noti
             say(reference_report(arguments.sweep.fixed()));
     }
     const bool to_file = arguments.output.has_value();
+    if (!result.interrupted) pictures.finish();
     if (!(result.interrupted && to_file)) output.commit();
     if (!result.interrupted) pictures.commit();
     return status_of(result, to_file);

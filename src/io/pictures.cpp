@@ -70,7 +70,8 @@ void Pictures::watch_sweep(RunOptions& options) {
     };
 }
 
-void Pictures::draw_sweep() {
+void Pictures::finish() {
+    if (nothing_asked() || sweep_.swept().empty()) return;
     std::vector<Picture> pictures;
     if (values_) {
         values_->complete();
@@ -118,7 +119,6 @@ void Pictures::plot(const Picture& picture) {
 }
 
 void Pictures::commit() {
-    if (!nothing_asked() && !sweep_.swept().empty()) draw_sweep();
     if (plot_file_ && !plot_.empty()) {
         plot_file_->write(plot_);
         plot_file_->commit();

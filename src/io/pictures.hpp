@@ -35,13 +35,14 @@ class Pictures {
     /// The same of a question with its simulation.
     /// @param answer  with the simulation in it
     void draw(const Prediction& prediction, const Comparison& comparison, const Json& answer);
-    /// Writes them. Rows of a sweep that were answered in an earlier run are answered again.
+    /// Makes those of a sweep when its rows are answered; rows that were answered in an earlier run are once more.
+    void finish();
+    /// Writes them.
     void commit();
 
   private:
     [[nodiscard]] bool nothing_asked() const { return !question_.plot && !question_.report; }
     void watch_sweep(RunOptions& options);
-    void draw_sweep();
     void draw_question(const RunOptions& options, const Json& answer);
     void plot(const Picture& picture);
 

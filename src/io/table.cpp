@@ -127,9 +127,13 @@ std::string nozzle_section(const NozzleAnswer& nozzle, TableStyle style) {
     return "\n" + heading("In the nozzle", style) + two_columns(entries);
 }
 
-/// "±12%", or a dash where nothing was measured.
+/// "±12%", never less than it is, or a dash where nothing was measured.
 std::string error_text(const std::optional<double>& error) {
-    return error ? "±" + bare_text(100.0 * *error, 2) + "%" : "–";
+    if (!error) return "–";
+    const double percent = 100.0 * *error;
+    const double digit =
+        percent >= 1.0 || percent == 0.0 ? 1.0 : std::pow(10.0, std::floor(std::log10(percent)));
+    return "±" + bare_text(std::ceil(percent / digit * (1.0 - 1e-12)) * digit, 3) + "%";
 }
 
 /// A value with its error, which stand below each other in a column.
@@ -202,9 +206,7 @@ std::string cells_section(const Prediction& prediction, TableStyle style) {
                         cell.angle ? bare_text(*cell.angle * 180.0 / std::numbers::pi, 3) : "–",
                         second ? "(steady)" : std::string(model_label(cell.model))});
     }
-    return "\n" +
-           heading("Cells: stress of the ink, stress (± largest error measured) and stretch of the cell",
-                   style) +
+    return "\n" + heading("Cells: stress of the ink; stress, ± as measured, and stretch of the cell", style) +
            grid(rows, 1);
 }
 

@@ -21,12 +21,12 @@ Json answer() {
                   "offsets": [0, 1.2e-5]},
         "nozzle": {"flow_rate": 3.9e-11, "pressure_gradient": 1.7e7, "velocity_average": 0.005, "velocity_max": 0.008,
                    "shear_rate_max": 500, "shear_rate_average": 300, "stress_max": 436, "stress_average": 290,
-                   "viscosity_wall": 1, "pressure_drop": null, "residence_time": null},
-        "exit": {"elongation_rate": 30, "elongational_stress": 100},
+                   "viscosity_wall": 1, "pressure_drop": null, "residence_time": null, "error": 1e-14},
+        "exit": {"elongation_rate": 30, "elongational_stress": 100, "error": 0.2},
         "cells": [{"place": "exit", "model": "roscoe-elongation", "offset": 0, "offset_in_cell_radii": 0,
                    "fluid_stress": 1, "stress_ratio": 1e-3, "stretch": [null, null, null], "angle": null,
                    "frequency": null, "stress": {"von_mises": null, "elastic": [1, 2, 3], "viscous": null},
-                   "relaxation_time": 0.01}],
+                   "relaxation_time": 0.01, "error": null, "strain_error": null}],
         "warnings": [{"code": "x", "message": "y"}]})");
 }
 
