@@ -277,6 +277,13 @@ int answer_rows(const Arguments& arguments, RunOptions options, const Sink& noti
     return status_of(result, to_file);
 }
 
+/// A sweep of simulations: two on two cores rather than one after the other on both.
+void simulate_rows(const Arguments& arguments, RunOptions& options) {
+    options.answer = [question = *arguments.simulation](const Settings& settings) {
+        return simulated_row(settings, question, {.threads = 1, .progress = {}, .cancel = &interrupted});
+    };
+}
+
 int run(Arguments arguments) {
     Output output(arguments);
     const Sink notice = [&](std::string_view text) {
@@ -304,7 +311,9 @@ int run(Arguments arguments) {
         history.commit();
     }
     Pictures pictures(arguments.pictures, arguments.sweep, notice);
-    if (arguments.simulation) return answer_by_simulation(arguments, options, output, pictures);
+    const bool many = !arguments.sweep.swept().empty();
+    if (arguments.simulation && many) simulate_rows(arguments, options);
+    if (arguments.simulation && !many) return answer_by_simulation(arguments, options, output, pictures);
     if (arguments.long_run) return answer_kept_rows(arguments, options, notice, pictures);
     return answer_rows(arguments, options, notice, output, pictures);
 }

@@ -16,6 +16,10 @@ void collect_plot(const RawPictures& raw, Arguments& arguments, Problems& proble
     if (arguments.design) {
         problems.add("--plot: a design is not drawn; ask for the value that it finds", "--plot");
     }
+    const bool many = !arguments.sweep.swept().empty();
+    if (arguments.simulation && many) {
+        problems.add("--plot: draws one simulation at a time; leave out lists", "--plot");
+    }
     if (arguments.simulation && raw.plot_kind) {
         problems.add("--plot-kind: a simulation has a picture of its own; leave it out", "--plot-kind");
     }
@@ -34,6 +38,9 @@ void collect_report(const RawPictures& raw, Arguments& arguments, Problems& prob
         problems.add("--report: got an empty name; it takes a file", "--report");
     if (raw.report && arguments.batch) {
         problems.add("--report: one question or sweep at a time; leave out --batch", "--report");
+    }
+    if (raw.report && arguments.simulation && !arguments.sweep.swept().empty()) {
+        problems.add("--report: holds one simulation at a time; leave out lists", "--report");
     }
     if (raw.report && arguments.design) {
         problems.add("--report: a design has none; ask for the value that it finds", "--report");

@@ -14,11 +14,12 @@ CsvDialect fresh_dialect() {
     return {.line_end = "\r\n"};
 }
 
-RowAnswer answer_row(const std::function<Settings()>& question, const Extras& extras) {
+RowAnswer answer_row(const std::function<Settings()>& question, const Extras& extras,
+                     const std::function<Json(const Settings&)>& answer) {
     RowAnswer row;
     try {
         const Settings settings = question();
-        row.object = answer_object(predict(settings.make_case()));
+        row.object = answer ? answer(settings) : answer_object(predict(settings.make_case()));
         add_spread(row.object, settings, extras, 1);
     } catch (...) {
         return {.object = refusal_object(current_refusal()), .refused = true, .extras = no_extras(extras)};

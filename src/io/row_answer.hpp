@@ -25,8 +25,10 @@ struct RowAnswer {
     bool refused = false;
     ExtraResults extras;
 };
+/// @param answer  in place of `predict`
 /// @throws UsageError  a check at a place that no answer has
-RowAnswer answer_row(const std::function<Settings()>& question, const Extras& extras = {});
+RowAnswer answer_row(const std::function<Settings()>& question, const Extras& extras = {},
+                     const std::function<Json(const Settings&)>& answer = {});
 
 /// The values at `paths`, one line, separated by tabs; `null` for a refusal, all but its `id`.
 std::string values_line(const RowAnswer& answer, const std::vector<std::string>& paths);

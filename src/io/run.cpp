@@ -158,14 +158,22 @@ RunResult run_sweep(const Sweep& sweep, const RunOptions& options, const Sink& s
     result.format = options.format;
     if (writes_head(options, result)) sink(writer.head());
     const RowRange rows = rows_of(options.shard.value_or(Shard{.piece = 1, .pieces = 1}), sweep.size());
-    for (std::size_t begin = rows.begin + result.read; begin < rows.end; begin += chunk_rows) {
-        const std::size_t count = std::min(chunk_rows, rows.end - begin);
+    const std::size_t chunk = options.answer ? options.jobs : chunk_rows;
+    for (std::size_t begin = rows.begin + result.read; begin < rows.end; begin += chunk) {
+        const std::size_t count = std::min(chunk, rows.end - begin);
         std::vector<RowText> texts(count);
         for_each_index(count, options.jobs, [&](std::size_t i) {
-            const RowAnswer answer = answer_row([&] { return sweep.row(begin + i); }, options.extras);
+            const RowAnswer answer =
+                answer_row([&] { return sweep.row(begin + i); }, options.extras, options.answer);
             if (options.row_seen) options.row_seen(begin + i, answer.object);
             texts[i] = writer.written(answer);
         });
+        // What a simulation had when it was interrupted is no answer.
+        if (options.answer && options.interrupted && *options.interrupted) {
+            result.interrupted = true;
+            if (options.keep) options.keep(result);
+            break;
+        }
         for (std::size_t i = 0; i < count; ++i) {
             sink(writer.placed(texts[i].text, begin + i));
             result.refused += texts[i].refused ? 1 : 0;

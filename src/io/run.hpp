@@ -38,6 +38,8 @@ struct RunOptions {
     Extras extras = {};
     TableStyle style = {};
     std::optional<LadderAnswer> ladder = {};  ///< which model answers, and why
+    /// What answers a row of a sweep in place of `predict`: a simulation. The rows are written one by one then.
+    std::function<Json(const Settings&)> answer = {};
     unsigned jobs = 1;
     std::optional<Shard> shard = {};  ///< answer this piece alone; the head stands in the first
     const std::atomic<bool>* interrupted = nullptr;  ///< set by Ctrl-C; what was finished is kept

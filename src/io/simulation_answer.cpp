@@ -393,6 +393,56 @@ double resolution_of(const SimulationQuestion& question) {
     return 6.0;
 }
 
+namespace {
+
+/// A question with its scene, and how it is simulated.
+struct Planned {
+    Prediction prediction;
+    ChosenScene chosen;
+    SimulationOptions simulation;
+
+    Planned(const Settings& settings, const SimulationQuestion& question, SimulationOptions options)
+        : prediction(predict(settings.make_case())),
+          chosen(choose_scene(question, prediction)),
+          simulation(std::move(options)) {
+        if (chosen.scene.kind != SceneKind::exit_flow && prediction.question.cell.viscosity_ratio != 1.0) {
+            throw UsageError(
+                "--viscosity-ratio: the simulated cell is filled with the ink; leave it at 1 with --simulate",
+                "--viscosity-ratio");
+        }
+        simulation.resolution = resolution_of(question);
+        simulation.channel_time = question.channel_time.value_or(0.0);
+    }
+
+    [[nodiscard]] Comparison remarked(Comparison comparison) const {
+        if (!chosen.remark.empty()) {
+            comparison.run.warnings.push_back({.code = "simulated-position", .message = chosen.remark});
+        }
+        return comparison;
+    }
+
+    /// @throws SimulationIncomplete  it broke down too
+    [[nodiscard]] Comparison run(const SimulationQuestion& question) const {
+        Comparison comparison =
+            remarked(question.tolerance ? refined(prediction, chosen.scene, simulation, *question.tolerance)
+                                        : compare_with_simulation(prediction, chosen.scene, simulation));
+        const std::string failure = breakdown(comparison.run);
+        if (!failure.empty()) throw SimulationIncomplete(failure, comparison.run);
+        return comparison;
+    }
+};
+
+}  // namespace
+
+Json simulated_row(const Settings& settings, const SimulationQuestion& question,
+                   SimulationOptions simulation) {
+    const Planned planned(settings, question, std::move(simulation));
+    const Comparison comparison = planned.run(question);
+    const std::string short_of = beyond_tolerance(comparison.run, question);
+    if (!short_of.empty()) throw NotConverged(short_of);
+    return simulated_answer_object(planned.prediction, comparison, question);
+}
+
 std::vector<std::string> answer_with_simulation(
     const Settings& settings, const SimulationQuestion& question, const RunOptions& options,
     SimulationOptions simulation, const Sink& sink, SimulationFiles* files,
@@ -400,30 +450,13 @@ std::vector<std::string> answer_with_simulation(
     if (options.format == Format::csv) {
         throw UsageError("--format: a simulation is answered as table, json or jsonl", "--format");
     }
-    const Prediction prediction = predict(settings.make_case());
-    const ChosenScene chosen = choose_scene(question, prediction);
-    if (chosen.scene.kind != SceneKind::exit_flow && prediction.question.cell.viscosity_ratio != 1.0) {
-        throw UsageError(
-            "--viscosity-ratio: the simulated cell is filled with the ink; leave it at 1 with --simulate",
-            "--viscosity-ratio");
-    }
-    simulation.resolution = resolution_of(question);
-    simulation.channel_time = question.channel_time.value_or(0.0);
-    const auto remarked = [&](Comparison comparison) {
-        if (!chosen.remark.empty()) {
-            comparison.run.warnings.push_back({.code = "simulated-position", .message = chosen.remark});
-        }
-        return comparison;
-    };
-    if (files != nullptr) files->attach(simulation, question.snapshots);
+    Planned planned(settings, question, std::move(simulation));
+    const Prediction& prediction = planned.prediction;
+    if (files != nullptr) files->attach(planned.simulation, question.snapshots);
     std::string short_of;
     std::vector<std::string> failed;
     try {
-        const Comparison comparison =
-            remarked(question.tolerance ? refined(prediction, chosen.scene, simulation, *question.tolerance)
-                                        : compare_with_simulation(prediction, chosen.scene, simulation));
-        const std::string failure = breakdown(comparison.run);
-        if (!failure.empty()) throw SimulationIncomplete(failure, comparison.run);
+        const Comparison comparison = planned.run(question);
         if (files != nullptr) {
             files->write_series(comparison.run.series);
             files->write_answer(json_text(simulated_answer_object(prediction, comparison, question), 2) +
@@ -434,7 +467,8 @@ std::vector<std::string> answer_with_simulation(
         short_of = beyond_tolerance(comparison.run, question);
     } catch (const SimulationIncomplete& e) {
         if (files != nullptr) files->write_series(e.result().series);
-        write(prediction, remarked(compare(prediction, e.result())), question, settings, options, sink);
+        write(prediction, planned.remarked(compare(prediction, e.result())), question, settings, options,
+              sink);
         throw;
     }
     // A run that could not be refined to the tolerance is an answer, but not the one asked for.

@@ -36,6 +36,11 @@ struct ChosenScene {
 ChosenScene choose_scene(const SimulationQuestion& question, const Prediction& prediction);
 double resolution_of(const SimulationQuestion& question);
 
+/// The answer to a row of a sweep: prediction, simulation and their difference.
+/// @throws NotConverged  the simulation did not come to its end, or not within the tolerance; and as below
+Json simulated_row(const Settings& settings, const SimulationQuestion& question,
+                   SimulationOptions simulation);
+
 /// Predicts, simulates and writes the answer. What an interrupted run had is written before its error goes
 /// on. `files`, where there are any, keep the run's state, its series and its answer. Returns a line for each
 /// check that does not hold.

@@ -173,3 +173,24 @@ TEST_CASE("long run: an input that has changed is not mixed with what was answer
     CHECK(is_one_line(outcome.err));
     CHECK(contains(outcome.err, "has changed since the run in changing began"));
 }
+
+TEST_CASE("long run: a sweep of simulations is the single ones and its pieces and kept rows are the whole") {
+    const std::string sweep = draft + "--offset 0 --alpha 0,0.5,1.5 ";
+    const std::string values = "--get input.ink.alpha --get simulation.simulated.von_mises ";
+    const Outcome whole = run(sweep + values);
+    CHECK(whole.status == 6);  // no steady flow at 1.5
+    CHECK(std::count(whole.out.begin(), whole.out.end(), '\n') == 3);
+    CHECK(whole.out.ends_with("null\tnull\n"));
+    const Outcome single =
+        run(draft + "--offset 0 --alpha 0.5 --jobs 1 --get simulation.simulated.von_mises");
+    CHECK(contains(whole.out, "0.5\t" + single.out));
+    CHECK(run(sweep + values + "--shard 1/2").out + run(sweep + values + "--shard 2/2").out == whole.out);
+    CHECK(run(sweep + values + "--jobs 1").out == whole.out);
+    CHECK(run(sweep + values + "--out simulated-sweep").status == 6);
+    CHECK(read_scratch("simulated-sweep/answers.txt") == whole.out);
+    const Outcome lines = run(sweep);
+    CHECK(json::parse(lines.out.substr(0, lines.out.find('\n')))["simulation"]["simulated"].contains(
+        "von_mises"));
+    CHECK(is_one_line(run(sweep + "--format csv").err));
+    CHECK(is_one_line(run(sweep + "--plot x.svg").err));
+}
