@@ -267,7 +267,7 @@ std::string entry_with(const Json& place, const std::string& rest) {
     const std::string name = rest.substr(0, rest.find('.'));
     if (!place.is_object()) return {};
     for (const auto& [key, value] : place.items()) {
-        if (value.is_object() && value.contains(name)) return key + "." + rest;
+        if (value.is_object() && value.contains(name)) return std::string(key).append(".").append(rest);
     }
     return {};
 }
