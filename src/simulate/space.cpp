@@ -385,7 +385,7 @@ struct KnownError {
 constexpr std::array<KnownError, 9> known_errors{
     {{.name = "stretch", .relative = 0.0155},
      {.name = "angle", .relative = 0.0, .absolute = 0.01},
-     {.name = "frequency", .relative = 0.015},
+     {.name = "frequency", .relative = 0.0165},
      {.name = "viscous", .relative = 0.0275},
      {.name = "cell_velocity", .relative = 0.003},
      {.name = "radial_position", .relative = 0.0025},
@@ -400,7 +400,10 @@ double known_error(const Scene& scene, const SimulatedValue& v) {
     if (known == known_errors.end()) {
         return known_stress_error * std::abs(v.value);
     }
-    return known->relative * std::abs(v.value) + known->of_velocity * scene.velocity_average +
+    // A cell drawn out in shear turns too fast at 3 nodes: 5 % at σ_f/μ 1, 12 % at 1.4, 28 % at 2.1.
+    const double load = scene.kind == SceneKind::shear ? scene.fluid_stress / scene.cell.shear_modulus : 0.0;
+    const double drawn = known->name == "frequency" ? std::max(1.0, load * load) : 1.0;
+    return drawn * known->relative * std::abs(v.value) + known->of_velocity * scene.velocity_average +
            known->of_radius * scene.nozzle_radius + known->absolute;
 }
 
