@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <iostream>
 
 #include "bioprint/errors.hpp"
 #include "bioprint/io/answer.hpp"
@@ -11,6 +10,7 @@
 #include "cli/ladder_options.hpp"
 #include "cli/long_run.hpp"
 #include "cli/picture_options.hpp"
+#include "io/whole_file.hpp"
 
 namespace bioprint {
 namespace {
@@ -148,7 +148,9 @@ void add_simulation_options(CLI::App& app, Raw& raw) {
 }
 
 void print(const std::string& text) {
-    if (!(std::cout << text << std::flush)) throw DataError("standard output: cannot be written");
+    WholeFile output("-");
+    output.write(text);
+    output.commit();
 }
 
 std::optional<Format> parse_format(const std::string& text) {

@@ -212,7 +212,9 @@ int run_fit_command(int argc, const char* const* argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
-        std::cout << app.help() << std::flush;
+        WholeFile output("-");
+        output.write(app.help());
+        output.commit();
         return 0;
     } catch (const CLI::ParseError& e) {
         problems.add(e.what());

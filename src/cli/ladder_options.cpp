@@ -13,11 +13,6 @@ Fidelity fidelity_of(Rung rung) {
     return rung == Rung::draft ? Fidelity::draft : Fidelity::standard;
 }
 
-Rung rung_of(const SimulationQuestion& question) {
-    if (question.fidelity == Fidelity::fine) return Rung::fine;
-    return question.fidelity == Fidelity::draft ? Rung::draft : Rung::standard;
-}
-
 double above_zero(const std::string& text, Dimension dimension, const char* option) {
     const double value = parse_quantity(text, dimension, option);
     if (!(value > 0.0)) {
@@ -28,7 +23,7 @@ double above_zero(const std::string& text, Dimension dimension, const char* opti
 
 /// What the question is answered by when nothing was asked of its accuracy.
 Rung present_rung(const Arguments& arguments) {
-    if (arguments.simulation) return rung_of(*arguments.simulation);
+    if (arguments.simulation) return rung_of(resolution_of(*arguments.simulation));
     const Settings& settings = arguments.sweep.fixed();
     return settings.has(Key::model) && settings.at(Key::model).text == "steady" ? Rung::steady
                                                                                 : Rung::ellipsoid;
@@ -87,18 +82,17 @@ void collect_ladder(const RawLadder& raw, Arguments& arguments, Problems& proble
 
 LadderAnswer take_rung(Arguments& arguments) {
     const Prediction prediction = predict(arguments.sweep.fixed().make_case());
-    std::optional<SceneKind> scene;
-    if (arguments.simulation) scene = choose_scene(*arguments.simulation, prediction).scene.kind;
-    LadderAnswer answer = climb(prediction, *arguments.ladder, scene);
+    LadderAnswer answer =
+        climb(prediction, *arguments.ladder, arguments.simulation ? &*arguments.simulation : nullptr);
     if (!arguments.ladder->tolerance && !arguments.ladder->budget) {
         answer.choice.rung = present_rung(arguments);
         return answer;
     }
-    if (arguments.simulation) answer.choice.rung = first_simulation(answer);
     if (resolution_of(answer.choice.rung) > 0.0) {
         if (!arguments.simulation) arguments.simulation.emplace();
         arguments.simulation->fidelity = fidelity_of(answer.choice.rung);
         arguments.simulation->tolerance = arguments.ladder->tolerance;
+        arguments.simulation->budget = arguments.ladder->budget;
     } else if (answer.choice.rung == Rung::steady) {
         arguments.sweep.add(Key::model, "steady", "--model");
     }

@@ -38,6 +38,7 @@ using namespace bioprint;
 constexpr int status_interrupted = 130;
 constexpr int status_some_rows_failed = 6;
 constexpr int status_check_failed = 7;
+constexpr int status_not_met = 5;
 
 std::atomic<bool> interrupted{false};
 
@@ -79,6 +80,10 @@ int status_of(const RunResult& result, bool to_file) {
     }
     for (const std::string& line : result.failed_checks) say(line);
     if (result.refused > 0) return status_some_rows_failed;
+    if (!result.short_of.empty()) {
+        say(result.short_of);
+        return status_not_met;
+    }
     return result.failed_checks.empty() ? 0 : status_check_failed;
 }
 
@@ -297,13 +302,16 @@ int run(Arguments arguments) {
     RunOptions options = run_options(arguments);
     if (arguments.ladder) options.ladder = take_rung(arguments);
     if (arguments.dry_run) {
-        output.write(dry_run({.sweep = arguments.sweep,
-                              .batch = arguments.batch,
-                              .simulation = arguments.simulation,
-                              .ladder = options.ladder,
-                              .jobs = options.jobs}));
+        const Plan plan = dry_run({.sweep = arguments.sweep,
+                                   .batch = arguments.batch,
+                                   .simulation = arguments.simulation,
+                                   .format = arguments.format,
+                                   .options = options});
+        output.write(plan.text);
         output.commit();
-        return 0;
+        if (plan.short_of.empty()) return 0;
+        say(plan.short_of);
+        return status_not_met;
     }
     if (arguments.history) {
         WholeFile history(*arguments.history);
@@ -323,6 +331,7 @@ int run(Arguments arguments) {
 int main(int argc, char** argv) {
     std::signal(SIGINT, on_interrupt);
     std::signal(SIGTERM, on_interrupt);
+    std::signal(SIGXFSZ, SIG_IGN);  // a file that would grow too large is a failed write, which is answered
     try {
         if (argc > 1 && std::string_view(argv[1]) == "fit") return run_fit_command(argc - 1, argv + 1);
         const std::optional<Arguments> arguments = parse_arguments(argc, argv);

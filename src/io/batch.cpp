@@ -134,4 +134,18 @@ RunResult run_batch(const BatchInput& input, std::optional<Format> format, const
     return run_csv_batch(peeked, input, chosen, sink, notice);
 }
 
+std::size_t RecordCount::rows(const RowRange& range) const {
+    const auto first = std::lower_bound(empty.begin(), empty.end(), range.begin);
+    const auto last = std::lower_bound(empty.begin(), empty.end(), range.end);
+    return range.end - range.begin - static_cast<std::size_t>(last - first);
+}
+
+RecordCount count_records(const std::string& file) {
+    const bool json = [&] {
+        const std::unique_ptr<ByteSource> source = open_bytes(file);
+        return starts_as_json(Peeked(*source).head());
+    }();
+    return json ? RecordCount{.records = count_json_lines(file)} : count_csv_records(file);
+}
+
 }  // namespace bioprint

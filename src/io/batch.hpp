@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "io/run.hpp"
 
@@ -21,5 +22,15 @@ struct BatchInput {
 /// @throws UsageError  no header, no column that is understood, or a file that is neither CSV nor JSON Lines
 RunResult run_batch(const BatchInput& input, std::optional<Format> format, const RunOptions& options,
                     const Sink& sink, const Sink& notice);
+
+/// The records of a batch, by which it is shared out; an empty line of a CSV is one, but no row.
+struct RecordCount {
+    std::size_t records = 0;
+    std::vector<std::size_t> empty = {};  ///< in order
+
+    [[nodiscard]] std::size_t rows(const RowRange& range) const;
+};
+/// @throws DataError, UsageError  as run_batch()
+RecordCount count_records(const std::string& file);
 
 }  // namespace bioprint

@@ -114,6 +114,13 @@ bool ends_as_number(std::string_view text) {
                              text.back() == '.' || text.back() == ',');
 }
 
+void require_questions(const Layout& layout, const std::string& file) {
+    if (!layout.questions().empty()) return;
+    throw UsageError(file +
+                     ": no column is understood; name at least one after an option, such as "
+                     "radius, flowrate, alpha, or a path such as input.ink.eta0");
+}
+
 class CsvBatch {
   public:
     CsvBatch(ByteSource& source, const BatchInput& input, const RunOptions& options)
@@ -121,16 +128,12 @@ class CsvBatch {
           layout_(reader_.header()),
           input_(input),
           options_(options) {
-        if (layout_.questions().empty()) {
-            throw UsageError(input.file +
-                             ": no column is understood; name at least one after an option, such as "
-                             "radius, flowrate, alpha, or a path such as input.ink.eta0");
-        }
+        require_questions(layout_, input.file);
     }
 
     RunResult run(const Sink& sink, const Sink& notice) {
         remark_on_columns(notice);
-        if (options_.shard) share_ = rows_of(*options_.shard, count_records(input_.file));
+        if (options_.shard) share_ = rows_of(*options_.shard, count_csv_records(input_.file).records);
         bool more = read_chunk();
         const std::size_t cells = entries();
         columns_.emplace(cells, layout_.asks(Key::population) || input_.defaults.has(Key::population),
@@ -211,14 +214,6 @@ class CsvBatch {
         const std::string& end = reader_.header_line_end();
         writer.end_row(end.empty() ? reader_.dialect().line_end : end);
         return reader_.preamble() + writer.text();
-    }
-
-    static std::size_t count_records(const std::string& file) {
-        const std::unique_ptr<ByteSource> source = open_bytes(file);
-        CsvReader reader(*source, file);
-        std::size_t count = 0;
-        while (reader.next()) ++count;
-        return count;
     }
 
     /// Drops the rows of other pieces; false when this piece's are all read. The first chunk is read by every
@@ -352,6 +347,17 @@ class CsvBatch {
 };
 
 }  // namespace
+
+RecordCount count_csv_records(const std::string& file) {
+    const std::unique_ptr<ByteSource> source = open_bytes(file);
+    CsvReader reader(*source, file);
+    require_questions(Layout(reader.header()), file);
+    RecordCount count;
+    for (; reader.next(); ++count.records) {
+        if (reader.record().blank) count.empty.push_back(count.records);
+    }
+    return count;
+}
 
 RunResult run_csv_batch(ByteSource& source, const BatchInput& input, const RunOptions& options,
                         const Sink& sink, const Sink& notice) {

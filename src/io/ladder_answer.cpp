@@ -2,13 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
-#include "bioprint/io/number_format.hpp"
+#include "bioprint/errors.hpp"
+#include "io/simulation_answer.hpp"
 
 namespace bioprint {
 namespace {
 
-double load_of(QuestionKind kind, const Prediction& prediction) {
+double load_of(QuestionKind kind, const SceneChoice& scene, const Prediction& prediction) {
     const double modulus = prediction.question.cell.shear_modulus;
     switch (kind) {
         case QuestionKind::exit_flow:
@@ -22,131 +24,100 @@ double load_of(QuestionKind kind, const Prediction& prediction) {
         case QuestionKind::shear:
             break;
     }
-    for (const CellAnswer& cell : prediction.cells)
-        if (cell.offset > 0.0 && cell.place == Place::nozzle) return cell.stress_ratio;
-    return prediction.exit.elongational_stress / modulus;
+    const double local = 0.5 * prediction.nozzle.pressure_gradient * scene.offset;
+    return scene.fluid_stress.value_or(local) / modulus;
 }
 
-bool on_axis(const Prediction& prediction) {
-    const auto& positions = prediction.question.positions;
-    return std::any_of(positions.begin(), positions.end(), [](const auto& p) { return p.value == 0.0; });
-}
-
-QuestionKind kind_of(const Prediction& prediction, const std::optional<SceneKind>& scene) {
-    const bool centred = on_axis(prediction);
-    switch (scene.value_or(SceneKind::exit)) {
+QuestionKind kind_of(const SceneChoice& scene) {
+    switch (scene.kind) {
         case SceneKind::exit_flow:
             return QuestionKind::exit_flow;
         case SceneKind::shear:
             return QuestionKind::shear;
         case SceneKind::channel:
-            return centred ? QuestionKind::channel : QuestionKind::channel_off_axis;
+            return scene.offset > 0.0 ? QuestionKind::channel_off_axis : QuestionKind::channel;
         case SceneKind::exit:
             break;
     }
-    return centred ? QuestionKind::exit : QuestionKind::exit_off_axis;
+    return scene.offset > 0.0 ? QuestionKind::exit_off_axis : QuestionKind::exit;
 }
 
-std::string percent(const std::optional<double>& error) {
-    return error ? percent_text(*error) : "not known";
+/// The questions of data/trade.json: α 0 to 0.75 and K u/R to 50, R_c/R 0.16, no cell near the wall, λ 1.
+bool was_measured(QuestionKind kind, const SceneChoice& scene, const Case& question, double velocity) {
+    constexpr double most_thinning = 0.75;
+    constexpr double fastest = 100.0;
+    constexpr double largest_cell = 0.2;
+    constexpr double slack = 1.0 + 1e-6;
+    const auto* const cross = std::get_if<CrossInk>(&question.ink.law);
+    if (cross == nullptr) return false;
+    if (kind != QuestionKind::exit_flow && question.cell.viscosity_ratio != 1.0) return false;
+    if (kind == QuestionKind::shear) return true;  // the load alone counts
+    if (cross->alpha > most_thinning * slack) return false;
+    if (cross->alpha > 0.0 && cross->time_constant * velocity > fastest * slack * question.radius)
+        return false;
+    if (kind == QuestionKind::exit_flow) return true;
+    return question.cell.radius <= largest_cell * slack * question.radius &&
+           scene.offset + 2.0 * question.cell.radius <= question.radius * slack;
 }
 
-std::string duration(const std::optional<double>& time) {
-    if (!time) return "not known";
-    const LabNumber n = format_lab(*time, Dimension::time, 2);
-    return n.number + " " + n.unit;
+/// Where the longest time measured holds too: a cell beside the nozzle and a stiffness as in those questions.
+bool was_timed(const RungRequest& request, const Case& question) {
+    constexpr double smallest_cell = 0.15;  // of the nozzle's radius
+    constexpr double stiffest = 2.5e-3;     // load over shear modulus
+    if (!request.measured) return false;
+    if (request.kind == QuestionKind::exit_flow) return true;
+    const bool size =
+        request.kind == QuestionKind::shear || question.cell.radius >= smallest_cell * question.radius;
+    return size && request.load >= stiffest;
 }
 
-Json number(const std::optional<double>& value) {
-    return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
-}
-
-std::string softness(double load) {
-    if (load < 0.1) return "stiff";
-    return load < 1.0 ? "moderately soft" : "soft";
-}
-
-std::string reason(const LadderAnswer& answer) {
-    const auto& ladder = answer.choice.ladder;
-    const auto chosen = std::find_if(ladder.begin(), ladder.end(),
-                                     [&](const auto& v) { return v.rung == answer.choice.rung; });
-    std::string text = std::string(name_of(chosen->rung)) + ": measured error " + percent(chosen->error);
-    if (answer.request.tolerance) {
-        text += answer.choice.met ? ", the cheapest within " + percent(answer.request.tolerance)
-                                  : ", the least there is; nothing was measured to be within " +
-                                        percent(answer.request.tolerance);
-        if (answer.request.budget) text += " and " + duration(answer.request.budget);
-    } else if (answer.request.budget) {
-        text += answer.choice.met ? ", the most accurate within " + duration(answer.request.budget)
-                                  : "; no model of known error is within " + duration(answer.request.budget);
-    }
-    const auto better = std::find_if(chosen + 1, ladder.end(), [&](const auto& v) {
-        return v.error && (!chosen->error || *v.error < *chosen->error);
-    });
-    if (better != ladder.end()) {
-        text += ". Next: " + std::string(name_of(better->rung)) + ", " + percent(better->error) + " in " +
-                duration(better->time);
-    }
-    return text;
-}
+constexpr std::array<Rung, 3> simulations{Rung::draft, Rung::standard, Rung::fine};
 
 }  // namespace
 
 LadderAnswer climb(const Prediction& prediction, const LadderQuestion& question,
-                   const std::optional<SceneKind>& scene) {
-    const QuestionKind kind = kind_of(prediction, scene);
+                   const SimulationQuestion* simulation) {
+    SimulationQuestion asked = simulation == nullptr ? SimulationQuestion{} : *simulation;
+    asked.resolution.reset();
+    const ChosenScene chosen = choose_scene(asked, prediction);
+    const QuestionKind kind = kind_of(chosen.scene);
     LadderAnswer answer{.request = {.kind = kind,
-                                    .load = load_of(kind, prediction),
+                                    .load = load_of(kind, chosen.scene, prediction),
                                     .tolerance = question.tolerance,
-                                    .budget = question.budget},
+                                    .budget = question.budget,
+                                    .simulated = simulation != nullptr,
+                                    .measured = was_measured(kind, chosen.scene, prediction.question,
+                                                             prediction.nozzle.velocity_average)},
                         .choice = {}};
+    answer.timed = was_timed(answer.request, prediction.question);
+    for (const Rung rung : simulations) {
+        RungOutlook& outlook = answer.request.outlook.at(static_cast<std::size_t>(rung));
+        try {
+            asked.resolution = resolution_of(rung);
+            outlook.time = work_of(prediction, asked).most;
+            const RungRecord* const record = measured(kind, rung, answer.request.load);
+            if (record != nullptr && answer.timed) outlook.time = std::min(*outlook.time, record->longest);
+        } catch (const UsageError& e) {
+            outlook.refused = e.what();
+        }
+    }
     answer.choice = choose_rung(answer.request);
     return answer;
 }
 
-Rung first_simulation(const LadderAnswer& answer) {
-    const auto& ladder = answer.choice.ladder;
-    const auto fits = [](const RungVerdict& v) {
-        return resolution_of(v.rung) > 0.0 && v.error && v.accurate && v.affordable;
-    };
-    const auto found = std::find_if(ladder.begin(), ladder.end(), fits);
-    return found == ladder.end() ? Rung::standard : found->rung;
+LadderAnswer after_run(LadderAnswer answer, Rung rung, RefinedRun run) {
+    answer.choice.rung = rung;
+    const auto chosen = std::find_if(answer.choice.ladder.begin(), answer.choice.ladder.end(),
+                                     [&](const auto& v) { return v.rung == rung; });
+    answer.choice.met =
+        answer.request.tolerance && run.error <= *answer.request.tolerance && chosen->affordable;
+    answer.run = std::move(run);
+    return answer;
 }
 
 std::string_view judged_value(SceneKind scene) {
     if (scene == SceneKind::exit_flow) return "elongational_stress_average";
     return scene == SceneKind::exit ? "von_mises_peak" : "von_mises";
-}
-
-Json ladder_object(const LadderAnswer& answer) {
-    Json rungs = Json::array();
-    for (const RungVerdict& v : answer.choice.ladder) {
-        rungs.push_back({{"model", name_of(v.rung)},
-                         {"error", number(v.error)},
-                         {"time", number(v.time)},
-                         {"accurate", v.accurate},
-                         {"affordable", v.affordable}});
-    }
-    return {{"question", name_of(answer.request.kind)},
-            {"load", number(answer.request.load)},
-            {"tolerance", number(answer.request.tolerance)},
-            {"budget", number(answer.request.budget)},
-            {"model", name_of(answer.choice.rung)},
-            {"met", answer.choice.met},
-            {"reason", reason(answer)},
-            {"models", std::move(rungs)}};
-}
-
-std::string ladder_section(const LadderAnswer& answer, TableStyle style) {
-    std::vector<std::vector<std::string>> rows = {{"model", "error", "time", ""}};
-    for (const RungVerdict& v : answer.choice.ladder) {
-        rows.push_back({std::string(name_of(v.rung)), percent(v.error), duration(v.time),
-                        v.rung == answer.choice.rung ? "← taken" : ""});
-    }
-    const std::string question = "Models for " + std::string(name_of(answer.request.kind)) + ", a " +
-                                 softness(answer.request.load) +
-                                 " cell: largest error measured, processor time";
-    return "\n" + table_heading(question, style) + table_grid(rows, 1) + "  " + reason(answer) + "\n";
 }
 
 }  // namespace bioprint

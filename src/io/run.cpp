@@ -42,8 +42,12 @@ Json answer_of(const Prediction& prediction, const RunOptions& options) {
 
 /// One question, whose refusal is the call's refusal.
 void answer_one(const Settings& row, const RunOptions& options, const Sink& sink, const Sink& notice,
-                CheckTally& tally) {
-    const Prediction prediction = predict(row.make_case());
+                CheckTally& tally, RunResult& result) {
+    Prediction prediction = predict(row.make_case());
+    if (const auto missed = options.ladder ? shortfall(*options.ladder) : std::nullopt) {
+        prediction.warnings.push_back(*missed);
+        result.short_of = missed->message;
+    }
     const bool table_alone = options.format == Format::table && options.paths.empty() &&
                              options.extras.empty() && !options.ladder && !options.seen;
     if (table_alone) return sink(answer_table(prediction, options.style));
@@ -55,7 +59,9 @@ void answer_one(const Settings& row, const RunOptions& options, const Sink& sink
         for (const std::string& path : options.paths) {
             sink(value_text(value_meant(answer, path)) + "\n");
         }
-        for (const Warning& warning : prediction.warnings) notice(warning.message);
+        for (const Warning& warning : prediction.warnings) {
+            if (warning.message != result.short_of) notice(warning.message);  // the status says that one
+        }
         return;
     }
     switch (options.format) {
@@ -130,7 +136,7 @@ RunResult run_sweep(const Sweep& sweep, const RunOptions& options, const Sink& s
     RunResult result;
     CheckTally tally(options.extras.checks);
     if (sweep.swept().empty()) {
-        answer_one(sweep.fixed(), options, sink, notice, tally);
+        answer_one(sweep.fixed(), options, sink, notice, tally, result);
         result.rows = 1;
         result.failed_checks = tally.lines();
         return result;

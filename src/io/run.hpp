@@ -28,8 +28,9 @@ struct RunResult {
     std::size_t refused = 0;  ///< of them
     std::size_t read = 0;     ///< rows of the input, empty ones too
     bool interrupted = false;
-    Format format = Format::table;           ///< as answered
-    std::vector<std::string> failed_checks;  ///< a line for each check that does not hold everywhere
+    Format format = Format::table;                ///< as answered
+    std::vector<std::string> failed_checks = {};  ///< a line for each check that does not hold everywhere
+    std::string short_of = {};                    ///< what --tolerance or --budget asked for and is not had
 };
 
 struct RunOptions {

@@ -274,25 +274,58 @@ double own_error(const SimulationResult& run) {
     return std::abs(value.error / value.value);
 }
 
-/// Doubles the resolution until the run's own error is within the tolerance, or a finer one is out of reach.
-Comparison refined(const Prediction& prediction, const SceneChoice& scene, SimulationOptions simulation,
-                   double tolerance) {
-    const bool in_space = scene.kind == SceneKind::shear || scene.offset > 0.0;
-    const double finest = in_space ? finest_in_space : finest_on_axis;
-    while (true) {
-        Comparison comparison = compare_with_simulation(prediction, scene, simulation);
-        if (own_error(comparison.run) <= tolerance || simulation.resolution * 2.0 > finest) return comparison;
-        simulation.resolution *= 2.0;
-    }
+SimulationOptions options_of(const SimulationQuestion& question, SimulationOptions options = {}) {
+    options.resolution = resolution_of(question);
+    options.channel_time = question.channel_time.value_or(0.0);
+    return options;
 }
 
-std::string beyond_tolerance(const SimulationResult& run, const SimulationQuestion& question) {
-    if (!question.tolerance || own_error(run) <= *question.tolerance) return {};
-    const auto percent = [](double share) {
-        return format_lab(100.0 * share, Dimension::dimensionless, 2).number + " %";
-    };
-    return "the finest run that --tolerance tries has a numerical error of " + percent(own_error(run)) +
-           ", more than the " + percent(*question.tolerance) + " asked for; --resolution goes further";
+/// Why a run is not refined to this question; empty when it can be.
+std::string obstacle(const Prediction& prediction, const SceneChoice& scene,
+                     const SimulationQuestion& finer) {
+    const bool in_space = scene.kind == SceneKind::shear || scene.offset > 0.0;
+    if (resolution_of(finer) > (in_space ? finest_in_space : finest_on_axis))
+        return "--resolution goes further";
+    try {
+        const LadderAnswer ladder = climb(prediction, {}, &finer);
+        const auto rung = static_cast<std::size_t>(rung_of(resolution_of(finer)));
+        const std::optional<double> time = finer.resolution ? std::optional(work_of(prediction, finer).most)
+                                                            : ladder.choice.ladder.at(rung).time;
+        check_simulation(prediction, finer);
+        if (finer.budget && time > *finer.budget)
+            return "a finer one takes up to " + lab_text(time.value_or(0.0), Dimension::time, 2) +
+                   ", more than the budget";
+    } catch (const UsageError& e) {
+        return std::string("a finer one is refused: ") + e.what();
+    }
+    return {};
+}
+
+SimulationQuestion finer_than(SimulationQuestion question) {
+    const double resolution = 2.0 * resolution_of(question);
+    if (question.resolution) {
+        question.resolution = resolution;
+    } else {
+        question.fidelity = question.fidelity == Fidelity::draft ? Fidelity::standard : Fidelity::fine;
+        if (resolution > finest_on_axis) question.resolution = resolution;
+    }
+    return question;
+}
+
+/// Doubles the resolution until the run's own error is within the tolerance, or a finer one is out of reach.
+Comparison refined(const Prediction& prediction, const SceneChoice& scene, SimulationQuestion& question,
+                   const SimulationOptions& simulation, RefinedRun& how) {
+    how = {.error = 0.0, .refined = false, .stop = {}};
+    while (true) {
+        Comparison comparison = compare_with_simulation(prediction, scene, options_of(question, simulation));
+        how.error = own_error(comparison.run);
+        if (how.error <= question.tolerance.value_or(1.0)) return comparison;
+        const SimulationQuestion finer = finer_than(question);
+        how.stop = obstacle(prediction, scene, finer);
+        if (!how.stop.empty()) return comparison;
+        question = finer;
+        how.refined = true;
+    }
 }
 
 bool is_scene(std::string_view name) {
@@ -393,70 +426,75 @@ double resolution_of(const SimulationQuestion& question) {
     return 6.0;
 }
 
+Rung rung_of(double resolution) {
+    if (resolution <= 3.0) return Rung::draft;
+    return resolution <= 6.0 ? Rung::standard : Rung::fine;
+}
+
+void check_simulation(const Prediction& prediction, const SimulationQuestion& question) {
+    const ChosenScene chosen = choose_scene(question, prediction);
+    if (chosen.scene.kind != SceneKind::exit_flow && prediction.question.cell.viscosity_ratio != 1.0) {
+        throw UsageError(
+            "--viscosity-ratio: the simulated cell is filled with the ink; leave it at 1 with --simulate",
+            "--viscosity-ratio");
+    }
+    check_scene(scene_for(prediction, chosen.scene), options_of(question));
+}
+
+SimulationWork work_of(const Prediction& prediction, const SimulationQuestion& question) {
+    check_simulation(prediction, question);
+    return expected_work(scene_for(prediction, choose_scene(question, prediction).scene),
+                         options_of(question));
+}
+
 namespace {
 
-/// A question with its scene, and how it is simulated.
-struct Planned {
-    Prediction prediction;
-    ChosenScene chosen;
-    SimulationOptions simulation;
-
-    Planned(const Settings& settings, const SimulationQuestion& question, SimulationOptions options)
-        : prediction(predict(settings.make_case())),
-          chosen(choose_scene(question, prediction)),
-          simulation(std::move(options)) {
-        if (chosen.scene.kind != SceneKind::exit_flow && prediction.question.cell.viscosity_ratio != 1.0) {
-            throw UsageError(
-                "--viscosity-ratio: the simulated cell is filled with the ink; leave it at 1 with --simulate",
-                "--viscosity-ratio");
-        }
-        simulation.resolution = resolution_of(question);
-        simulation.channel_time = question.channel_time.value_or(0.0);
+Comparison remarked(Comparison comparison, const ChosenScene& chosen) {
+    if (!chosen.remark.empty()) {
+        comparison.run.warnings.push_back({.code = "simulated-position", .message = chosen.remark});
     }
-
-    [[nodiscard]] Comparison remarked(Comparison comparison) const {
-        if (!chosen.remark.empty()) {
-            comparison.run.warnings.push_back({.code = "simulated-position", .message = chosen.remark});
-        }
-        return comparison;
-    }
-
-    /// @throws SimulationIncomplete  it broke down too
-    [[nodiscard]] Comparison run(const SimulationQuestion& question) const {
-        Comparison comparison =
-            remarked(question.tolerance ? refined(prediction, chosen.scene, simulation, *question.tolerance)
-                                        : compare_with_simulation(prediction, chosen.scene, simulation));
-        const std::string failure = breakdown(comparison.run);
-        if (!failure.empty()) throw SimulationIncomplete(failure, comparison.run);
-        return comparison;
-    }
-};
+    return comparison;
+}
 
 }  // namespace
 
 Json simulated_row(const Settings& settings, const SimulationQuestion& question,
-                   SimulationOptions simulation) {
-    const Planned planned(settings, question, std::move(simulation));
-    const Comparison comparison = planned.run(question);
-    const std::string short_of = beyond_tolerance(comparison.run, question);
-    if (!short_of.empty()) throw NotConverged(short_of);
-    return simulated_answer_object(planned.prediction, comparison, question);
+                   const SimulationOptions& simulation) {
+    const Prediction prediction = predict(settings.make_case());
+    const ChosenScene chosen = choose_scene(question, prediction);
+    check_simulation(prediction, question);
+    const Comparison comparison =
+        remarked(compare_with_simulation(prediction, chosen.scene, options_of(question, simulation)), chosen);
+    const std::string failure = breakdown(comparison.run);
+    if (!failure.empty()) throw NotConverged(failure);
+    return simulated_answer_object(prediction, comparison, question);
 }
 
 std::vector<std::string> answer_with_simulation(
-    const Settings& settings, const SimulationQuestion& question, const RunOptions& options,
-    SimulationOptions simulation, const Sink& sink, SimulationFiles* files,
+    const Settings& settings, SimulationQuestion question, RunOptions options, SimulationOptions simulation,
+    const Sink& sink, SimulationFiles* files,
     const std::function<void(const Prediction&, const Comparison&)>& seen) {
     if (options.format == Format::csv) {
         throw UsageError("--format: a simulation is answered as table, json or jsonl", "--format");
     }
-    Planned planned(settings, question, std::move(simulation));
-    const Prediction& prediction = planned.prediction;
-    if (files != nullptr) files->attach(planned.simulation, question.snapshots);
-    std::string short_of;
+    const Prediction prediction = predict(settings.make_case());
+    const ChosenScene chosen = choose_scene(question, prediction);
+    check_simulation(prediction, question);
+    if (files != nullptr) files->attach(simulation, question.snapshots);
     std::vector<std::string> failed;
+    RefinedRun how{};
     try {
-        const Comparison comparison = planned.run(question);
+        Comparison comparison = remarked(
+            question.tolerance
+                ? refined(prediction, chosen.scene, question, simulation, how)
+                : compare_with_simulation(prediction, chosen.scene, options_of(question, simulation)),
+            chosen);
+        if (options.ladder && question.tolerance)
+            options.ladder = after_run(*options.ladder, rung_of(resolution_of(question)), how);
+        if (const auto missed = options.ladder ? shortfall(*options.ladder) : std::nullopt)
+            comparison.run.warnings.push_back({.code = missed->code, .message = missed->message});
+        const std::string failure = breakdown(comparison.run);
+        if (!failure.empty()) throw SimulationIncomplete(failure, comparison.run);
         if (files != nullptr) {
             files->write_series(comparison.run.series);
             files->write_answer(json_text(simulated_answer_object(prediction, comparison, question), 2) +
@@ -464,15 +502,15 @@ std::vector<std::string> answer_with_simulation(
         }
         failed = write(prediction, comparison, question, settings, options, sink);
         if (seen) seen(prediction, comparison);
-        short_of = beyond_tolerance(comparison.run, question);
     } catch (const SimulationIncomplete& e) {
         if (files != nullptr) files->write_series(e.result().series);
-        write(prediction, planned.remarked(compare(prediction, e.result())), question, settings, options,
+        write(prediction, remarked(compare(prediction, e.result()), chosen), question, settings, options,
               sink);
         throw;
     }
-    // A run that could not be refined to the tolerance is an answer, but not the one asked for.
-    if (!short_of.empty()) throw SimulationIncomplete(short_of, {});
+    // It is an answer, but not the one asked for.
+    if (const auto missed = options.ladder ? shortfall(*options.ladder) : std::nullopt)
+        throw SimulationIncomplete(missed->message, {});
     return failed;
 }
 

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "bioprint/predict/comparison.hpp"
+#include "bioprint/simulate/work.hpp"
 #include "io/run.hpp"
 #include "io/simulation_files.hpp"
 
@@ -22,6 +23,7 @@ struct SimulationQuestion {
     std::optional<double> fluid_stress;  ///< of the shear scene [Pa]
     std::optional<double> channel_time;  ///< how long the cell stays in the nozzle [s]
     std::optional<double> tolerance;     ///< relative error down to which the run is refined
+    std::optional<double> budget;        ///< time that a refined run may be expected to take [s]
 };
 
 /// A scene and the position it is simulated for.
@@ -35,11 +37,20 @@ struct ChosenScene {
 /// @throws UsageError  not a scene, or one that this question does not fit
 ChosenScene choose_scene(const SimulationQuestion& question, const Prediction& prediction);
 double resolution_of(const SimulationQuestion& question);
+/// The rung of so many nodes a cell radius, or the next finer one.
+Rung rung_of(double resolution);
+
+/// Everything that would refuse the simulation of this question before it takes time.
+/// @throws UsageError  what does not fit, and what would
+void check_simulation(const Prediction& prediction, const SimulationQuestion& question);
+/// What it takes, one thread.
+/// @throws UsageError  as check_simulation()
+SimulationWork work_of(const Prediction& prediction, const SimulationQuestion& question);
 
 /// The answer to a row of a sweep: prediction, simulation and their difference.
-/// @throws NotConverged  the simulation did not come to its end, or not within the tolerance; and as below
+/// @throws NotConverged  the simulation did not come to its end; and as below
 Json simulated_row(const Settings& settings, const SimulationQuestion& question,
-                   SimulationOptions simulation);
+                   const SimulationOptions& simulation);
 
 /// Predicts, simulates and writes the answer. What an interrupted run had is written before its error goes
 /// on. `files`, where there are any, keep the run's state, its series and its answer. Returns a line for each
@@ -47,8 +58,8 @@ Json simulated_row(const Settings& settings, const SimulationQuestion& question,
 /// @param seen  gets prediction and comparison once the answer is written, for a picture or report
 /// @throws SimulationIncomplete  and what predict() and simulate() throw
 std::vector<std::string> answer_with_simulation(
-    const Settings& settings, const SimulationQuestion& question, const RunOptions& options,
-    SimulationOptions simulation, const Sink& sink, SimulationFiles* files = nullptr,
+    const Settings& settings, SimulationQuestion question, RunOptions options, SimulationOptions simulation,
+    const Sink& sink, SimulationFiles* files = nullptr,
     const std::function<void(const Prediction&, const Comparison&)>& seen = {});
 
 }  // namespace bioprint

@@ -160,7 +160,9 @@ void WholeFile::discard() {
 
 void WholeFile::fail(int error) {
     discard();
-    std::string message = (path_.empty() ? std::string("''") : path_) +
+    std::string message = (path_.empty()  ? std::string("''")
+                           : path_ == "-" ? "standard output"
+                                          : path_) +
                           ": cannot be written: " + std::generic_category().message(error);
     const auto advice = remedy(error);
     if (!advice.empty()) message.append("; ").append(advice);

@@ -113,6 +113,29 @@ ImmersedCellSetup cell_setup(const Run& run, const LatticeUnits& units) {
             .volume_strength = bulk ? 0.0 : 0.08};
 }
 
+ChannelSteps channel_steps(const Scene& scene, const NozzleFlow& flow, const LatticeUnits& units,
+                           const SimulationOptions& options) {
+    const double transit = units.radius / units.velocity_lu;  // steps
+    // A fast print's cell relaxes over many transits; samples too close together could not tell its slow end.
+    const double relaxation = 2.5 * viscosity(flow.ink(), 0.0) / scene.cell.shear_modulus / units.time_step;
+    const double longest =
+        std::min(std::max(longest_in_transits * transit, longest_in_relaxations * relaxation),
+                 most_transits * transit);
+    const long sample = std::max(
+        2L, std::lround(std::min(std::max(sample_in_transits * transit, sample_in_relaxations * relaxation),
+                                 longest / 40.0)));
+    const long most = options.channel_time > 0.0
+                          ? std::max(sample, std::lround(options.channel_time / units.time_step))
+                          : std::lround(longest);
+    return {.sample = sample,
+            .most = most,
+            .rest = std::min(std::lround(rest_in_relaxations * relaxation), most / 8)};
+}
+
+int channel_length(int nodes) {
+    return (static_cast<int>(length_in_radii * nodes) + 15) / 16 * 16;
+}
+
 namespace {
 
 /// The cell in its periodic stretch of nozzle, sample after sample.
@@ -149,7 +172,7 @@ class ChannelRun {
 
 lattice::AxisymmetricFlow periodic_nozzle(const Run& run, const LatticeUnits& units) {
     const LatticeProfile profile = lattice_profile(run.flow, units);
-    const int length = (static_cast<int>(length_in_radii * run.nodes) + 15) / 16 * 16;
+    const int length = channel_length(run.nodes);
     lattice::AxisymmetricFlow flow({.length = length,
                                     .radius = run.nodes,
                                     .lip = length,
@@ -172,20 +195,10 @@ ChannelRun::ChannelRun(const Run& run, const LatticeUnits& units)
     start_as_bullet(cell_, gradient / (4.0 * run.scene.cell.shear_modulus));
     cell_.shift(0.5 * flow_.domain().length);
     before_ = cell_.shape().centre;
-    const double transit = run.nodes / units.velocity_lu;  // steps
-    const double channel_time = run.log.options().channel_time;
-    // A fast print's cell relaxes over many transits; samples too close together could not tell its slow end.
-    const double relaxation =
-        2.5 * viscosity(run.flow.ink(), 0.0) / run.scene.cell.shear_modulus / units.time_step;
-    const double longest =
-        std::min(std::max(longest_in_transits * transit, longest_in_relaxations * relaxation),
-                 most_transits * transit);
-    interval_ = std::max(
-        2L, std::lround(std::min(std::max(sample_in_transits * transit, sample_in_relaxations * relaxation),
-                                 longest / 40.0)));
-    limit_ = channel_time > 0.0 ? std::max(interval_, std::lround(channel_time / units.time_step))
-                                : std::lround(longest);
-    rest_needed_ = std::min(std::lround(rest_in_relaxations * relaxation), limit_ / 8);
+    const ChannelSteps steps = channel_steps(run.scene, run.flow, units, run.log.options());
+    interval_ = steps.sample;
+    limit_ = steps.most;
+    rest_needed_ = steps.rest;
     run.log.result.series = {
         .columns = {"time [s]", "x [m]", "von_mises [Pa]", "stretch_axial", "stretch_radial", "volume"},
         .rows = {}};

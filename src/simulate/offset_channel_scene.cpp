@@ -33,6 +33,23 @@ void check(const OffsetChannelSetup& setup) {
     }
 }
 
+}  // namespace
+
+OffsetChannelSteps offset_channel_steps(const OffsetChannelSetup& setup, const NozzleFlow& flow,
+                                        const OffsetUnits& units) {
+    const auto most = static_cast<long>(std::ceil(setup.duration / units.time));
+    const double rate = flow.shear_rate(setup.offset);
+    const double eta = viscosity(setup.ink, rate);
+    const double response = std::min(2.5 * eta / setup.shear_modulus, rate > 0.0 ? 2.0 / rate : 1e30);
+    const long window = std::lround(2.0 * response / units.time);
+    const bool settles = setup.settle_tolerance > 0.0;
+    const long stride =
+        settles ? window / static_cast<long>(samples_a_window) : most / std::max(setup.samples, 1);
+    return {.sample = std::max<long>(2, stride / 2 * 2), .most = most};
+}
+
+namespace {
+
 template <class Real>
 class Channel {
   public:
@@ -108,15 +125,9 @@ class Channel {
 
     /// How often to sample, how long to run and how long the stress must stand still.
     void plan() {
-        total_ = static_cast<long>(std::ceil(setup_.duration / lu_.time));
-        const double rate = flow_.shear_rate(setup_.offset);
-        const double eta = viscosity(setup_.ink, rate);
-        const double response = std::min(2.5 * eta / setup_.shear_modulus, rate > 0.0 ? 2.0 / rate : 1e30);
-        const long window = std::lround(2.0 * response / lu_.time);
-        const bool settles = setup_.settle_tolerance > 0.0;
-        const long stride =
-            settles ? window / static_cast<long>(samples_a_window) : total_ / std::max(setup_.samples, 1);
-        stride_ = std::max<long>(2, stride / 2 * 2);
+        const OffsetChannelSteps steps = offset_channel_steps(setup_, flow_, lu_);
+        total_ = steps.most;
+        stride_ = steps.sample;
         const double viscous_time = radius_ * radius_ / (5.8 * lu_.nu0);
         gain_ = std::min(0.2, stride_ / (4.0 * viscous_time));
     }

@@ -31,6 +31,14 @@ OffsetUnits offset_units(const OffsetCell& cell, const NozzleFlow& flow);
 OffsetLattice lattice_report(const OffsetUnits& units, const NozzleFlow& flow, const OffsetCell& cell,
                              int length);
 
+/// Of a run in the channel, known before it.
+struct OffsetChannelSteps {
+    long sample;  ///< between two looks at the cell; a run that settles takes 3 to 4 windows of 8 of them
+    long most;    ///< until it ends in any case
+};
+OffsetChannelSteps offset_channel_steps(const OffsetChannelSetup& setup, const NozzleFlow& flow,
+                                        const OffsetUnits& units);
+
 /// One look at a body and the fluid inside it; lattice units.
 template <class Real>
 class OffsetView {

@@ -18,6 +18,17 @@ struct Run {
     RunLog& log;
 };
 
+/// The two resolutions at which a scene on the axis runs.
+struct AxisLattices {
+    int layers;  ///< of the cell's mesh
+    int nodes;   ///< a nozzle radius
+    int coarse_layers;
+    int coarse_nodes;
+    bool compare;  ///< the coarser run is made
+};
+/// @throws UsageError  the lattice would be too large
+AxisLattices axis_lattices(const Scene& scene, const SimulationOptions& options);
+
 void run_exit_flow(const Run& run);
 
 /// A cell in the channel once its shape has settled.
@@ -26,6 +37,17 @@ struct ChannelState {
     bool steady;
 };
 ChannelState run_channel(const Run& run);
+
+/// Of a run in the channel, known before it.
+struct ChannelSteps {
+    long sample;  ///< between two looks at the cell
+    long most;    ///< until it ends in any case
+    long rest;    ///< without change that count as steady: more than a turning point takes
+};
+ChannelSteps channel_steps(const Scene& scene, const NozzleFlow& flow, const LatticeUnits& units,
+                           const SimulationOptions& options);
+/// Columns of its periodic stretch of nozzle.
+int channel_length(int nodes);
 
 void run_exit(const Run& run);
 

@@ -246,6 +246,17 @@ class ShearRun {
 
 }  // namespace
 
+ShearSceneSteps shear_scene_steps(const ShearSceneSetup& setup) {
+    const double rate = units(setup).rate;
+    const auto side = [&](int k) {
+        return std::lround(setup.box[static_cast<std::size_t>(k)] * setup.nodes);
+    };
+    const long length = std::max(16L, std::lround(setup.box[0] * setup.nodes / 16.0) * 16);
+    return {.fewest = std::lround(std::min(2.0, setup.longest) / rate),
+            .most = std::lround(setup.longest / rate),
+            .nodes = length * side(1) * std::lround(0.5 * static_cast<double>(side(2)))};
+}
+
 ShearSceneResult run_shear_scene(const ShearSceneSetup& setup) {
     check(setup);
     return ShearRun(setup).run();

@@ -60,6 +60,14 @@ struct ShearSceneResult {
     long nodes;  ///< of the lattice
 };
 
+/// Of a run, known before it.
+struct ShearSceneSteps {
+    long fewest;
+    long most;
+    long nodes;  ///< of the lattice
+};
+ShearSceneSteps shear_scene_steps(const ShearSceneSetup& setup);
+
 /// What was reached when the cell broke or the run was ended is returned, with `stopped` saying so.
 /// @throws UsageError  a value out of range
 ShearSceneResult run_shear_scene(const ShearSceneSetup& setup);

@@ -14,7 +14,6 @@
 namespace bioprint {
 namespace {
 
-constexpr int smallest_nodes = 12;  ///< a nozzle radius
 /// What two resolutions cannot see: the coupling's own error against the exact stiff limit at 6 and 12 nodes.
 constexpr double coupling_error = 5e-3;
 /// The same of a centred cell in a thinning ink, for each unit of thinning (one less the index at the wall) and of the
@@ -249,14 +248,14 @@ void report(const Run& run, const LatticeUnits& units, int length) {
     r.vector_width = lattice::kernels(units.relaxation(run.flow.ink())).name;
 }
 
-SimulationResult simulate(const Scene& scene, const SimulationOptions& options) {
-    check(scene, options);
-    if (needs_space(scene)) {
-        return simulate_in_space(scene, options);
-    }
-    const NozzleFlow flow = NozzleFlow::from_velocity(scene.ink, scene.nozzle_radius, scene.velocity_average);
+namespace {
+
+constexpr int smallest_nodes = 12;  ///< a nozzle radius
+
+}  // namespace
+
+AxisLattices axis_lattices(const Scene& scene, const SimulationOptions& options) {
     const bool with_cell = scene.kind != SceneKind::exit_flow;
-    if (with_cell) check_softness(scene, flow, options);
     const int wanted = layers_for(options.resolution, options.mesh_spacing);
     // Two resolutions a factor of two apart need twice the smallest lattice.
     const bool two = with_cell && options.estimate_error && wanted / 2 >= 2;
@@ -268,22 +267,46 @@ SimulationResult simulate(const Scene& scene, const SimulationOptions& options) 
     const int coarse_layers = layers / 2;
     const int coarse_nodes = with_cell ? nodes_for(scene, coarse_layers, options.mesh_spacing)
                                        : std::max(smallest_nodes, nodes / 2);
+    return {.layers = layers,
+            .nodes = nodes,
+            .coarse_layers = coarse_layers,
+            .coarse_nodes = coarse_nodes,
+            // A cell takes two layers of elements at least.
+            .compare = options.estimate_error && (!with_cell || coarse_layers >= 2) && coarse_nodes < nodes};
+}
+
+void check_scene(const Scene& scene, const SimulationOptions& options) {
+    check(scene, options);
+    if (needs_space(scene)) return check_space(scene, options);
+    const NozzleFlow flow = NozzleFlow::from_velocity(scene.ink, scene.nozzle_radius, scene.velocity_average);
+    if (scene.kind == SceneKind::exit_flow) {
+        (void)axis_lattices(scene, options);
+        return;
+    }
+    check_softness(scene, flow, options);
+    const AxisLattices lattices = axis_lattices(scene, options);
+    (void)units_for_cell(scene, flow, lattices.nodes, options);
+    if (lattices.compare) (void)units_for_cell(scene, flow, lattices.coarse_nodes, options);
+}
+
+SimulationResult simulate(const Scene& scene, const SimulationOptions& options) {
+    check_scene(scene, options);
+    if (needs_space(scene)) {
+        return simulate_in_space(scene, options);
+    }
+    const NozzleFlow flow = NozzleFlow::from_velocity(scene.ink, scene.nozzle_radius, scene.velocity_average);
+    const bool with_cell = scene.kind != SceneKind::exit_flow;
+    const auto [layers, nodes, coarse_layers, coarse_nodes, compare] = axis_lattices(scene, options);
     Keeper keeper(scene, options);
     RunLog fine(options, keeper, "fine ", true);
     RunLog coarse(options, keeper, "coarse ", false);
-    // A cell takes two layers of elements at least.
-    const bool compare = options.estimate_error && (!with_cell || coarse_layers >= 2) && coarse_nodes < nodes;
+    const Run finer{.scene = scene, .flow = flow, .layers = layers, .nodes = nodes, .log = fine};
+    const Run coarser{
+        .scene = scene, .flow = flow, .layers = coarse_layers, .nodes = coarse_nodes, .log = coarse};
     run_both(
-        options.threads,
-        [&] { run_scene({.scene = scene, .flow = flow, .layers = layers, .nodes = nodes, .log = fine}); },
-        [&] {
-            if (compare) {
-                run_scene({.scene = scene,
-                           .flow = flow,
-                           .layers = coarse_layers,
-                           .nodes = coarse_nodes,
-                           .log = coarse});
-            }
+        options.threads, [&] { run_scene(finer); },
+        [&, compared = compare] {
+            if (compared) run_scene(coarser);
         });
     const double updates = fine.updates + coarse.updates;
     SimulationResult result = std::move(fine.result);

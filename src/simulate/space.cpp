@@ -25,6 +25,7 @@ constexpr double longest_in_radii = 40.0;      ///< of travel until the shape mu
 constexpr std::size_t averaged = 8;            ///< samples of a velocity
 constexpr double gap_in_nodes = 1.5;           ///< between cell and wall at the start
 constexpr double most_nodes = 4e7;             ///< 90 bytes each
+constexpr double finest = 40.0;                ///< nodes a cell radius
 constexpr double nodes_of_known_errors = 6.0;  ///< a cell radius
 /// σ_f/μ in shear. Below, the lattice resolves the cell's slow turning in ever more steps, and a draft's viscous stress
 /// is 15 % off at 0.004 and 27 % at 0.003; above, elements of 3 nodes a
@@ -99,7 +100,7 @@ void run_shear(const SpaceRun& run) {
                                                 .shear_rate = rate,
                                                 .cell_radius = scene.cell.radius,
                                                 .nodes = run.nodes,
-                                                .longest = 12.0 + 18.0 * ratio,
+                                                .longest = longest_shear(ratio),
                                                 .threads = run.threads,
                                                 .watch = watch_of(run)});
     RunLog& log = run.log;
@@ -335,6 +336,11 @@ void check_shear_load(const Scene& scene, double nodes) {
 
 /// @throws UsageError  a cell too near the wall, or a lattice that no machine at hand would hold or finish
 void check_size(const Scene& scene, double nodes) {
+    if (nodes > finest) {
+        throw UsageError("--resolution: in three dimensions a cell radius takes up to " + number(finest) +
+                             " nodes, not " + number(nodes),
+                         "--resolution");
+    }
     if (scene.kind == SceneKind::shear) {
         check_shear_load(scene, nodes);
         return;
@@ -434,16 +440,28 @@ bool needs_space(const Scene& scene) {
     return scene.kind == SceneKind::shear || (scene.kind != SceneKind::exit_flow && scene.offset > 0.0);
 }
 
-SimulationResult simulate_in_space(const Scene& scene, const SimulationOptions& options) {
+double longest_shear(double load) {
+    return 12.0 + 18.0 * load;
+}
+
+SpaceLattices space_lattices(const Scene& scene, const SimulationOptions& options) {
+    const double nodes = nodes_for(scene, options.resolution);
+    return {.nodes = nodes,
+            .coarse_nodes = 0.5 * nodes,
+            .compare = options.estimate_error && 0.5 * options.resolution >= coarsest};
+}
+
+void check_space(const Scene& scene, const SimulationOptions& options) {
     const double nodes = nodes_for(scene, options.resolution);
     check_size(scene, nodes);
-    if (scene.kind != SceneKind::shear) {
-        const NozzleFlow flow =
-            NozzleFlow::from_velocity(scene.ink, scene.nozzle_radius, scene.velocity_average);
-        check_offset_softness(scene, flow, options);
-        check_offset_duration(scene, flow, nodes);
-    }
-    const double coarse_nodes = 0.5 * nodes;
+    if (scene.kind == SceneKind::shear) return;
+    const NozzleFlow flow = NozzleFlow::from_velocity(scene.ink, scene.nozzle_radius, scene.velocity_average);
+    check_offset_softness(scene, flow, options);
+    check_offset_duration(scene, flow, nodes);
+}
+
+SimulationResult simulate_in_space(const Scene& scene, const SimulationOptions& options) {
+    const auto [nodes, coarse_nodes, compare] = space_lattices(scene, options);
     Keeper keeper(scene, options);
     RunLog fine(options, keeper, "fine ", true);
     const auto run = [&](double resolution, RunLog& log) {
@@ -460,7 +478,7 @@ SimulationResult simulate_in_space(const Scene& scene, const SimulationOptions& 
     }
     RunLog coarse(same_time, keeper, "coarse ", false);
     // The coarse run costs a thirtieth of the fine one.
-    bool compared = options.estimate_error && 0.5 * options.resolution >= coarsest;
+    bool compared = compare;
     if (compared) {
         try {
             run(coarse_nodes, coarse);

@@ -15,6 +15,7 @@
 #include "bench/processor_time.hpp"
 #include "bench/trade_questions.hpp"
 #include "bioprint/errors.hpp"
+#include "bioprint/io/answer.hpp"
 #include "bioprint/predict/comparison.hpp"
 
 // The trade of speed for accuracy, measured: every rung of the ladder on every question, its time and its error
@@ -160,13 +161,19 @@ std::string processor() {
     return "unknown";
 }
 
-void describe(Json& data) {
+std::string today() {
     char date[16];
     const std::time_t now = std::time(nullptr);
     std::strftime(date, sizeof date, "%Y-%m-%d", std::gmtime(&now));
+    return date;
+}
+
+/// Of the last measurement; a result that was kept from an earlier one has its own.
+void describe(Json& data) {
     double load[1] = {0.0};
     getloadavg(load, 1);
-    data["date"] = date;
+    data["date"] = today();
+    data["version"] = program_version();
     data["machine"] = {{"processor", processor()}, {"cores", std::thread::hardware_concurrency()}};
     // Wall times taken while others used the cores are too long; the processor time tells.
     data["load_at_start"] = load[0];
@@ -187,10 +194,11 @@ void measure(const Options& options, Json& data) {
         for (const Rung& rung : ladder) {
             const bool known = options.missing && entry["rungs"].contains(rung.name);
             if (!known && wanted(options.rungs, rung.name) && before * dearer < options.longest) {
-                const Json result =
-                    rung.resolution > 0.0
-                        ? run_simulation(question, rung.resolution)
-                        : run_prediction(question, std::string_view(rung.name) == "ellipsoid");
+                Json result = rung.resolution > 0.0
+                                  ? run_simulation(question, rung.resolution)
+                                  : run_prediction(question, std::string_view(rung.name) == "ellipsoid");
+                result["date"] = today();
+                result["version"] = program_version();
                 entry["rungs"][rung.name] = result;
                 judge(entry);
                 save(data, options.file);

@@ -83,6 +83,52 @@ class Pipelines(Case):
         self.assertEqual(self.joined(join + "p/*.csv none-4-of-3")[0], 2)
         self.assertEqual(self.joined(join + "p/r.piece-1-of-3.csv p/r.piece-2-of-3.csv none-3-of-3")[0], 4)
 
+    def pieces_of(self, batch, n):
+        """The pieces of a batch in the folder s, and its whole."""
+        shutil.copy(EXAMPLES / "join-pieces.sh", self.folder)
+        self.shell(f"rm -rf s; mkdir s; for k in $(seq {n}); do bioprint-predict -q --batch {batch} --shard $k/{n}"
+                   f" -o s/r.piece-$k-of-{n}.out || test $? = 6; done")  # fmt: skip
+        return self.shell(f"bioprint-predict -q --batch {batch} || test $? = 6")
+
+    def test_the_collector_counts_the_rows(self):
+        join = "bash join-pieces.sh "
+        self.write("many.csv", "name,radius [um]\n" + "".join(f"run {i},{40 + i}\n" for i in range(59)))
+        whole = self.pieces_of("many.csv", 4)
+        for checked in ("", "--rows 59 ", "--batch many.csv "):
+            self.assertEqual(self.shell(join + checked + "s/*"), whole)
+            for spoil, words in (
+                ("sed -i '$d' s/r.piece-2-of-4.out", "piece-2-of-4.out: holds 14"),
+                (": > s/r.piece-2-of-4.out", "piece-2-of-4.out: holds 0"),
+                (": > s/r.piece-4-of-4.out", "piece-4-of-4.out: holds 0"),
+                ("sed -i '$d' s/r.piece-1-of-4.out", "piece-1-of-4.out: holds 14"),
+                ("cp s/r.piece-3-of-4.out s/r.piece-2-of-4.out", "the same as piece 2"),
+            ):  # fmt: skip
+                self.shell("mkdir -p kept; cp s/* kept; " + spoil)
+                status, said = self.joined(join + checked + "s/*")
+                self.assertEqual(status, 4)
+                self.assertIn(words, said)
+                self.shell("cp kept/* s")
+        self.shell("sed -i '$d' s/r.piece-3-of-4.out")  # as fair a sharing of 58 rows
+        for checked in ("--rows 59 ", "--batch many.csv "):
+            status, said = self.joined(join + checked + "s/*")
+            self.assertEqual(status, 4)
+            self.assertIn("piece-3-of-4.out: holds 14 rows where piece 3 of 4 has 15", said)
+
+    def test_the_collector_counts_rows_of_every_form(self):
+        join = "bash join-pieces.sh "
+        self.write("odd.csv", 'sep=;\n"na\nme";radius [um]\n"a\n b";50\n\n"say ""x""";51\n5" pipe;52\n"";53\n;54\n"open;55\n56;')
+        self.write("q.jsonl", "".join('{"radius": "%dum", "id": "a \\" b"}\n' % (40 + i) for i in range(11)) + "\n")
+        self.write("twins.jsonl", '{"radius": "50um"}\n' * 6)
+        for batch, n in (("odd.csv", 2), ("odd.csv", 3), ("odd.csv", 9), ("q.jsonl", 4), ("q.jsonl", 20)):
+            whole = self.pieces_of(batch, n)
+            self.assertEqual(self.shell(join + "s/*"), whole)
+            self.assertEqual(self.shell(join + f"--batch {batch} s/*"), whole)
+        whole = self.pieces_of("twins.jsonl", 3)
+        self.assertIn("--repeats", self.joined(join + "s/*")[1])
+        self.assertEqual(self.shell(join + "--repeats --batch twins.jsonl s/*"), whole)
+        for call in ("--rows", "--rows x s/*", "--batch none s/*", "--batch q.jsonl --rows 3 s/*", "--other s/*"):
+            self.assertEqual(self.joined(join + call)[0], 2)
+
     def test_the_slurm_array_job_fails_with_the_program(self):
         shutil.copy(EXAMPLES / "slurm-array.sh", self.folder)
         env = {"SLURM_ARRAY_TASK_ID": "1", "SLURM_ARRAY_TASK_COUNT": "2"}

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -33,6 +36,7 @@ struct RungRecord {
     double longest;    ///< processor time [s]: the longest
     int questions;     ///< measured
     int unjudged;      ///< of them: no value, or none to hold it against
+    int unanswered;    ///< of them: no value
 };
 std::span<const RungRecord> measured_ladder();
 
@@ -41,28 +45,41 @@ const RungRecord* measured(QuestionKind kind, Rung rung, double load);
 /// The relative error to be expected; none when nothing like it was measured or some of it has no answer.
 std::optional<double> expected_error(QuestionKind kind, Rung rung, double load);
 
+/// What is known of a rung for the very question, beyond what was measured of its kind.
+struct RungOutlook {
+    std::string refused = {};         ///< why it cannot follow this question; empty: it can
+    std::optional<double> time = {};  ///< processor time expected [s]; none: the longest measured
+};
+constexpr std::size_t rung_count = 5;
+
 struct RungRequest {
     QuestionKind kind;
     double load;
     std::optional<double> tolerance;  ///< largest relative error wanted
     std::optional<double> budget;     ///< longest time wanted [s]
+    bool simulated = false;           ///< a simulation was asked for: no rung below the drafts
+    bool measured = true;  ///< the question lies where the rungs were measured; else no error is known
+    std::array<RungOutlook, rung_count> outlook = {};  ///< in the order of Rung
 };
 
 struct RungVerdict {
     Rung rung;
     std::optional<double> error;
-    std::optional<double> time;  ///< [s]
-    bool accurate;               ///< within the tolerance; true when none was asked for
-    bool affordable;             ///< within the budget; true when none was asked for
+    std::optional<double> time;     ///< [s]
+    bool accurate;                  ///< within the tolerance; true when none was asked for
+    bool affordable;                ///< within the budget; true when none was asked for
+    std::string refused = {};       ///< why it cannot follow this question; empty: it can
+    const RungRecord* record = {};  ///< null: nothing like it was measured
 };
 
 struct RungChoice {
     Rung rung;
-    bool met;  ///< all that was asked for; else the most accurate rung within the budget
+    bool met;  ///< all that was asked for; else the most accurate rung within the budget, or the cheapest
     std::vector<RungVerdict> ladder;  ///< every rung, cheapest first
 };
 
-/// The cheapest rung within the tolerance; with a budget alone, the most accurate one within it.
+/// The cheapest rung that can follow the question within the tolerance; with a budget alone, the most accurate one within
+/// it. Where no simulation can follow the question and one was asked for, it is the standard one, whose run says why.
 RungChoice choose_rung(const RungRequest& request);
 
 }  // namespace bioprint

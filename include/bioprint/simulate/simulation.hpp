@@ -156,6 +156,10 @@ class SimulationIncomplete : public NotConverged {
     SimulationResult result_;
 };
 
+/// Every check that simulate() makes before it takes memory and time.
+/// @throws UsageError, NoSteadyFlow  as simulate()
+void check_scene(const Scene& scene, const SimulationOptions& options = {});
+
 /// @throws UsageError            the scene does not fit the lattice at any or at this resolution; says what
 /// would
 /// @throws NoSteadyFlow          from the nozzle flow
