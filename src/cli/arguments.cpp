@@ -314,8 +314,7 @@ void collect_simulation(const Raw& raw, Arguments& arguments, Problems& problems
     arguments.simulation = question;
     if (arguments.batch) problems.add("--simulate: takes a question or lists, not --batch", "--simulate");
     if (arguments.sweep.swept().empty()) return;
-    if (!arguments.format) arguments.format = Format::jsonl;
-    const bool table = *arguments.format == Format::table || *arguments.format == Format::csv;
+    const bool table = arguments.format == Format::table || arguments.format == Format::csv;
     if (table && arguments.paths.empty()) {
         problems.add("--format: simulations of a sweep are answered in json or jsonl, or by --get",
                      "--format");

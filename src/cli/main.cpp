@@ -235,7 +235,7 @@ int answer_kept_rows(const Arguments& arguments, RunOptions options, const Sink&
                 const BatchInput input{.file = *arguments.batch, .defaults = arguments.sweep.fixed()};
                 result = run_batch(input, arguments.format, options, sink, notice);
             } else {
-                options.format = arguments.format.value_or(Format::csv);
+                if (!arguments.simulation) options.format = arguments.format.value_or(Format::csv);
                 result = run_sweep(arguments.sweep, options, sink, notice);
             }
         } catch (const UsageError&) {
@@ -284,6 +284,7 @@ int answer_rows(const Arguments& arguments, RunOptions options, const Sink& noti
 
 /// A sweep of simulations: two on two cores rather than one after the other on both.
 void simulate_rows(const Arguments& arguments, RunOptions& options) {
+    options.format = arguments.format.value_or(Format::jsonl);
     options.answer = [question = *arguments.simulation](const Settings& settings) {
         return simulated_row(settings, question, {.threads = 1, .progress = {}, .cancel = &interrupted});
     };

@@ -84,7 +84,9 @@ void collect_shard(const RawPictures& raw, Arguments& arguments, Problems& probl
     if (!arguments.paths.empty()) return;
     if (arguments.format == Format::json) {
         refuse("the pieces of a JSON array cannot be joined; use --format jsonl");
-    } else if (arguments.format.value_or(arguments.batch ? Format::csv : Format::table) == Format::table) {
+    } else if (arguments.format.value_or(arguments.batch        ? Format::csv
+                                         : arguments.simulation ? Format::jsonl
+                                                                : Format::table) == Format::table) {
         refuse("the pieces of a table cannot be joined; use --format csv or jsonl");
     }
 }

@@ -194,6 +194,63 @@ Json simulation_object(const SimulationPlan& plan) {
             {"memory", plan.work.memory}};
 }
 
+/// A sweep of simulations.
+struct SimulationsPlan {
+    std::size_t rows = 0;
+    std::size_t refused = 0;
+    double least = 0.0;   ///< of all, on one core [s]
+    double most = 0.0;    ///< [s]
+    double memory = 0.0;  ///< of as many of the largest as run at once [B]
+    unsigned threads = 1;
+};
+
+SimulationsPlan plan_simulations(const PlannedWork& work) {
+    const RowRange share =
+        rows_of(work.options.shard.value_or(Shard{.piece = 1, .pieces = 1}), work.sweep.size());
+    SimulationsPlan plan{.rows = share.end - share.begin};
+    plan.threads =
+        static_cast<unsigned>(std::clamp<std::size_t>(plan.rows, 1, std::max(1U, work.options.jobs)));
+    for (std::size_t i = share.begin; i < share.end; ++i) {
+        try {
+            const SimulationWork one = work_of(predict(work.sweep.row(i).make_case()), *work.simulation);
+            plan.least += one.least;
+            plan.most += one.most;
+            plan.memory = std::max(plan.memory, one.memory);
+        } catch (const Error&) {
+            ++plan.refused;
+        }
+    }
+    plan.memory *= plan.threads;
+    return plan;
+}
+
+std::string simulations_text(const PlannedWork& work, const SimulationsPlan& plan) {
+    std::string text = "rows     " + std::to_string(plan.rows);
+    if (work.options.shard)
+        text += " of " + std::to_string(work.sweep.size()) + ", piece " +
+                std::to_string(work.options.shard->piece) + " of " +
+                std::to_string(work.options.shard->pieces);
+    if (plan.refused > 0) text += ", " + std::to_string(plan.refused) + " of them refused";
+    return text + "\nmodel    simulations, " +
+           format_lab(resolution_of(*work.simulation), Dimension::dimensionless, 3).number +
+           " nodes a cell radius\ntime     " + duration(plan.least / plan.threads) + " to " +
+           duration(plan.most / plan.threads) + " with " + std::to_string(plan.threads) +
+           (plan.threads == 1 ? " thread" : " threads") + ", by lattices and steps\nmemory   " +
+           megabytes(plan.memory) + "\n";
+}
+
+Json simulations_object(const PlannedWork& work, const SimulationsPlan& plan) {
+    return {{"schema", schema},
+            {"rows", plan.rows},
+            {"refused", plan.refused},
+            {"model", "simulation"},
+            {"nodes_per_cell_radius", resolution_of(*work.simulation)},
+            {"time_least", plan.least / plan.threads},
+            {"time_most", plan.most / plan.threads},
+            {"threads", plan.threads},
+            {"memory", plan.memory}};
+}
+
 }  // namespace
 
 Plan dry_run(const PlannedWork& work) {
@@ -201,7 +258,11 @@ Plan dry_run(const PlannedWork& work) {
     const std::optional<LadderAnswer>& ladder = work.options.ladder;
     Plan plan;
     Json object;
-    if (work.simulation) {
+    if (work.simulation && !work.sweep.swept().empty()) {
+        const SimulationsPlan simulations = plan_simulations(work);
+        plan.text = simulations_text(work, simulations);
+        object = simulations_object(work, simulations);
+    } else if (work.simulation) {
         const SimulationPlan simulation = plan_simulation(work);
         plan.text = simulation_text(work, simulation);
         object = simulation_object(simulation);

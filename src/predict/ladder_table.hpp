@@ -9,7 +9,7 @@
 namespace bioprint {
 
 // clang-format off
-inline constexpr std::array<RungRecord, 63> ladder_table{{
+inline constexpr std::array<RungRecord, 64> ladder_table{{
     {QuestionKind::exit_flow, Rung::steady, 0.0, std::numeric_limits<double>::infinity(), 0.23344, 7.99414e-06, 2.14314e-05, 6, 0, 0},
     {QuestionKind::exit_flow, Rung::ellipsoid, 0.0, std::numeric_limits<double>::infinity(), 0.23344, 0.00113668, 0.00126968, 6, 0, 0},
     {QuestionKind::exit_flow, Rung::draft, 0.0, std::numeric_limits<double>::infinity(), 0.00134066, 0.280073, 0.339299, 6, 0, 0},
@@ -55,14 +55,15 @@ inline constexpr std::array<RungRecord, 63> ladder_table{{
     {QuestionKind::channel_off_axis, Rung::ellipsoid, 1.0, std::numeric_limits<double>::infinity(), 0.150672, 0.000918918, 0.00134686, 8, 7, 0},
     {QuestionKind::channel_off_axis, Rung::draft, 1.0, std::numeric_limits<double>::infinity(), 0.0237271, 3.37984, 3.37984, 8, 7, 7},
     {QuestionKind::channel_off_axis, Rung::standard, 1.0, std::numeric_limits<double>::infinity(), 0.025, 126.132, 126.132, 8, 7, 7},
-    {QuestionKind::exit_off_axis, Rung::ellipsoid, 0.0, 0.1, 0.309333, 0.003188, 0.00475867, 5, 0, 0},
-    {QuestionKind::exit_off_axis, Rung::draft, 0.0, 0.1, 0.144917, 7.80908, 11.1602, 5, 0, 0},
-    {QuestionKind::exit_off_axis, Rung::standard, 0.0, 0.1, 0.144917, 40.4795, 40.4795, 1, 0, 0},
-    {QuestionKind::exit_off_axis, Rung::ellipsoid, 0.1, 1.0, 0.0529142, 0.00114636, 0.00132889, 5, 1, 0},
-    {QuestionKind::exit_off_axis, Rung::draft, 0.1, 1.0, 0.1, 5.18357, 9.64722, 5, 1, 1},
-    {QuestionKind::exit_off_axis, Rung::standard, 0.1, 1.0, 0.0854485, 41.3085, 49.7412, 2, 0, 0},
-    {QuestionKind::exit_off_axis, Rung::ellipsoid, 1.0, std::numeric_limits<double>::infinity(), 0.0850235, 0.000930918, 0.0011675, 8, 7, 0},
-    {QuestionKind::exit_off_axis, Rung::draft, 1.0, std::numeric_limits<double>::infinity(), 0.1, 15.3492, 15.3492, 8, 7, 7},
+    {QuestionKind::exit_off_axis, Rung::ellipsoid, 0.0, 0.1, 0.32654, 0.003188, 0.00475867, 5, 0, 0},
+    {QuestionKind::exit_off_axis, Rung::draft, 0.0, 0.1, 0.151104, 7.80908, 11.1602, 5, 0, 0},
+    {QuestionKind::exit_off_axis, Rung::standard, 0.0, 0.1, 0.151104, 40.4795, 141.452, 5, 0, 0},
+    {QuestionKind::exit_off_axis, Rung::ellipsoid, 0.1, 1.0, 0.15897, 0.00114636, 0.00132889, 5, 0, 0},
+    {QuestionKind::exit_off_axis, Rung::draft, 0.1, 1.0, 0.0854485, 5.18357, 9.64722, 5, 1, 1},
+    {QuestionKind::exit_off_axis, Rung::standard, 0.1, 1.0, 0.0854485, 49.7412, 1659.08, 5, 0, 0},
+    {QuestionKind::exit_off_axis, Rung::ellipsoid, 1.0, std::numeric_limits<double>::infinity(), 0.148852, 0.000930918, 0.0011675, 8, 7, 0},
+    {QuestionKind::exit_off_axis, Rung::draft, 1.0, std::numeric_limits<double>::infinity(), 0.0588267, 15.3492, 15.3492, 8, 7, 7},
+    {QuestionKind::exit_off_axis, Rung::standard, 1.0, std::numeric_limits<double>::infinity(), 0.0588266, 212.649, 212.649, 8, 7, 7},
     {QuestionKind::shear, Rung::steady, 0.0, 0.1, 0.0, 4.56812e-06, 4.56812e-06, 1, 0, 0},
     {QuestionKind::shear, Rung::ellipsoid, 0.0, 0.1, 0.00572063, 0.00360318, 0.00360318, 1, 0, 0},
     {QuestionKind::shear, Rung::draft, 0.0, 0.1, 0.0911386, 0.376844, 0.376844, 1, 0, 0},
