@@ -29,8 +29,8 @@ Examples:
   bioprint-predict --alpha 0.75 --simulate=exit --fidelity draft
   bioprint-predict fit rheometer.csv          (its own options: bioprint-predict fit --help)
 Exit status: 0 answered, 1 a bug, 2 the call is wrong, 3 no steady flow, 4 a file could not be
-  read or written, 5 a simulation did not come to its end, 6 some rows of a batch failed,
-  7 a --check or a limit does not hold, 130 interrupted.
+  read or written, 5 a simulation did not come to its end, or --tolerance or --budget is not
+  kept, 6 some rows of a batch failed, 7 a --check or a limit does not hold, 130 interrupted.
 The full reference: man bioprint-predict)";
 
 struct Raw {

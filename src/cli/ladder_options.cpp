@@ -44,8 +44,9 @@ void add_ladder_options(CLI::App& app, RawLadder& raw) {
     app.add_flag("--explain", raw.explain,
                  "say which model answers and why, and what the others would cost and gain")
         ->group(group);
-    app.add_flag("--dry-run", raw.dry_run,
-                 "answer nothing; say how many rows, by which model, time and memory")
+    app.add_flag(
+           "--dry-run", raw.dry_run,
+           "answer nothing; say how many rows, by which model, time and memory, and what would be refused")
         ->group(group);
 }
 

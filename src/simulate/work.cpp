@@ -52,6 +52,8 @@ constexpr double bytes_in_shear = 300.0;  ///< in double precision
 constexpr double shortest_settling = 120.0;
 constexpr double longest_settling = 650.0;
 constexpr double settling_by_thinning = 90.0;  ///< times (η0/η_wall)^½
+constexpr double least_by_thinning = 10.0;     ///< of a flow that settles all the way, times as much over …
+constexpr double little_thinning = 5.0;        ///< … this
 
 constexpr int fewest_samples = 5;  ///< of a channel on the axis
 constexpr double passage_in_radii = 4.5;
@@ -68,9 +70,11 @@ double relaxation(const Scene& scene, double step) {
 void add_flow(Updates& work, const Scene& scene, const NozzleFlow& flow, int nodes) {
     const ExitReach reach = exit_reach(scene.ink);
     const double lattice = (reach.upstream + reach.downstream) * nodes * nodes;
-    const double wall = viscosity(scene.ink, flow.shear_rate_max()) / scene.ink.eta0;
-    work.add(shortest_settling * nodes, (longest_settling + settling_by_thinning / std::sqrt(wall)) * nodes,
-             lattice);
+    const double thinning = std::sqrt(scene.ink.eta0 / viscosity(scene.ink, flow.shear_rate_max()));
+    const bool alone = scene.kind == SceneKind::exit_flow;
+    const double least =
+        shortest_settling + (alone ? least_by_thinning * std::max(0.0, thinning - little_thinning) : 0.0);
+    work.add(least * nodes, (longest_settling + settling_by_thinning * thinning) * nodes, lattice);
 }
 
 Updates run_on_axis(const Scene& scene, const NozzleFlow& flow, int nodes, const SimulationOptions& options) {

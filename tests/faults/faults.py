@@ -69,6 +69,18 @@ class Faults(unittest.TestCase):
         self.check_refused(full, NOT_WRITTEN, "rows.csv: cannot be written")
         self.assertEqual(list(self.scratch.iterdir()), [])
 
+    def test_a_limit_on_files_as_a_shell_sets_it_is_a_failed_write(self):
+        script = f"ulimit -f 10; '{PROGRAM}' -q {' '.join(ROWS)} --format csv > '{self.scratch}/rows.csv'"
+        limited = subprocess.run(["bash", "-c", script], capture_output=True, text=True, check=False,
+                                 preexec_fn=lambda: signal.signal(signal.SIGXFSZ, signal.SIG_DFL))
+        self.check_refused(limited, NOT_WRITTEN, "standard output: cannot be written", "File too large")
+
+    def test_whatever_cannot_be_written_to_standard_output_says_why(self):
+        for arguments in ([], ["--help"], ["--version"], ["fit", "--help"], ["--list", "inks"], ["--dry-run"]):
+            with open("/dev/full", "w", encoding="utf-8") as full:
+                outcome = subprocess.run([PROGRAM, *arguments], stdout=full, stderr=subprocess.PIPE, text=True, check=False)
+            self.check_refused(outcome, NOT_WRITTEN, "standard output: cannot be written: No space left on device")
+
     def test_a_place_that_cannot_be_written_is_named(self):
         self.check_refused(self.run_of("--simulate", "--out", "/proc/run"), NOT_WRITTEN, "/proc/run: cannot be made")
         file = self.scratch / "file"
