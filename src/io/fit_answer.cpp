@@ -178,21 +178,6 @@ double fit_rounded(double value, int digits) {
     return shift >= 0 ? std::round(value * scale) / scale : std::round(value / scale) * scale;
 }
 
-std::string fit_options_line(const FitAnswer& answer) {
-    const auto option = [](std::string_view name, double value, std::string_view unit) {
-        return std::string(name) + " " + format_shortest(fit_rounded(value)) + std::string(unit);
-    };
-    const LawFit& fit = answer.chosen;
-    if (fit.choice.law == FittedLaw::newtonian) {
-        return option("--eta0", 2.0 * fit.parameters.front().value, "Pa.s") + " --alpha 0";
-    }
-    if (fit.choice.law != FittedLaw::cross) return {};
-    std::string line = option("--eta0", fit.find("eta0")->value, "Pa.s");
-    if (fit.eta_inf > 0.0) line += " " + option("--eta-inf", fit.eta_inf, "Pa.s");
-    return line + " " + option("-K", fit.find("time_constant")->value, "s") + " " +
-           option("--alpha", fit.find("alpha")->value, "");
-}
-
 std::string fit_csv(const FitAnswer& answer) {
     CsvWriter writer(CsvDialect{.line_end = "\r\n"});
     for (const char* const head :

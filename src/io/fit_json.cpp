@@ -171,14 +171,13 @@ Json fit_object(const FitAnswer& answer) {
     for (const Warning& warning : answer.warnings) {
         warnings.push_back({{"code", warning.code}, {"message", warning.message}});
     }
-    const std::string options = fit_options_line(answer);
     return {{"schema", fit_schema_name},
             {"program", {{"name", program_name}, {"version", program_version()}}},
             {"data", data_object(answer)},
             {"fit", law_object(answer.chosen, best_aicc)},
             {"laws", std::move(laws)},
             {"points", points_object(answer)},
-            {"options", options.empty() ? Json(nullptr) : Json(options)},
+            {"options", fit_options_line(answer)},
             {"preset", fit_preset(answer)},
             {"warnings", std::move(warnings)}};
 }

@@ -73,6 +73,41 @@ TEST_CASE("fit command: the line of options and the preset give the same predict
     CHECK(schema_violations(shelf, "inks").empty());
 }
 
+TEST_CASE("fit command: a law of any kind is given as options and they predict what the preset does") {
+    const double k = 20.0;
+    const auto viscosity = [&](const std::string& law, double rate) {
+        if (law == "power-law") return k * std::pow(rate, -0.5);
+        if (law == "herschel-bulkley") return 12.0 / rate + k * std::pow(rate, -0.5);
+        return 0.02 + 50.0 * std::pow(1.0 + std::pow(0.5 * rate, 1.5), -0.4);
+    };
+    for (const auto& [law, extra, expected] :
+         {std::tuple{std::string("power-law"), "", "--law power-law --consistency "},
+          {std::string("herschel-bulkley"), "", "--law herschel-bulkley --yield-stress "},
+          {std::string("carreau-yasuda"), " --eta-inf fit", "--law carreau-yasuda --eta0 "},
+          {std::string("carreau-yasuda"), " --eta-inf 0.02", "--law carreau-yasuda --eta0 "}}) {
+        CAPTURE(law);
+        std::vector<ExportPoint> points = curve(0.01, 1000.0, 31);
+        for (std::size_t i = 0; i < points.size(); ++i)
+            points[i].viscosity = viscosity(law, points[i].rate) * std::exp(scatter(static_cast<int>(i)));
+        write_scratch("law.csv", rheometer_export(ExportKind::plain_named, points));
+        const std::string fit = "fit -q law.csv --law " + law + extra;
+        std::string options = run(fit + " --preset law.json --get options").out;
+        REQUIRE(options.starts_with(expected));
+        options.pop_back();
+        const std::string path = " -q --get input.ink.law --get nozzle.pressure_gradient";
+        const Outcome by_options = run(options + path);
+        CHECK(by_options.status == 0);
+        CHECK(by_options.out.starts_with(law));
+        CHECK(by_options.out == run("--ink ./law.json" + path).out);
+        // The table's line is as a shell takes it, broken by a backslash or not.
+        const std::string table = run(fit).out;
+        const std::size_t at = table.find("  bioprint-predict ");
+        REQUIRE(at != std::string::npos);
+        const std::string call = table.substr(at + 19, table.find("\n  or as", at) - at - 19);
+        CHECK(run(call + path).out == by_options.out);
+    }
+}
+
 TEST_CASE("fit command: the table for a person is within 80 columns and says what was read") {
     write_scratch("curve.txt", rheometer_export(ExportKind::trios, curve(0.01, 1000.0, 26)));
     const Outcome outcome = run("fit curve.txt");
