@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "bioprint/io/presets.hpp"
+#include "io/ink_settings.hpp"
 #include "io/uncertainty.hpp"
 #include "numerics/quasi_random.hpp"
 
@@ -40,47 +41,33 @@ UncertainInput spread_about(Key key, double value, double deviation, std::string
     return input;
 }
 
-/// The standard deviation a preset states for one of its values.
-std::optional<double> stated(const InkPreset& preset, Key key) {
-    switch (key) {
-        case Key::eta0:
-            return preset.eta0_sd;
-        case Key::eta_inf:
-            return preset.eta_inf_sd;
-        case Key::time_constant:
-            return preset.time_constant_sd;
-        case Key::alpha:
-            return preset.alpha_sd;
-        default:
-            return std::nullopt;
-    }
+constexpr std::array<Key, 8> ink_parameters = {Key::eta0,         Key::eta_inf,     Key::time_constant,
+                                               Key::alpha,        Key::consistency, Key::flow_index,
+                                               Key::yield_stress, Key::transition};
+
+/// How a preset and the answer's ink call it: "eta0".
+std::string parameter_name(Key key) {
+    return std::string(info_of(key).path.substr(std::string_view("ink.").size()));
 }
 
-InkPreset ink_preset(const Settings& settings) {
-    const std::string name = settings.has(Key::ink) ? settings.at(Key::ink).text : "alginate-2.5";
-    const bool file = name.find('/') != std::string::npos || name.ends_with(".json");
-    return file ? load_ink_file(name) : find_ink(name);
-}
-
+/// By the preset where it states a spread; a parameter of the Cross law otherwise by what preparations differ.
 void add_ink_scatter(std::vector<UncertainInput>& inputs, const Settings& settings, const Json& ink) {
-    const bool cross = ink.contains("eta0") && ink.contains("time_constant") && ink.contains("alpha") &&
-                       (!ink.contains("law") || ink["law"] == "cross");
-    if (!cross) return;
-    const InkPreset preset = ink_preset(settings);
-    const auto value = [&](Key key) {
-        return ink.at(std::string(info_of(key).path.substr(4))).get<double>();
-    };
-    for (const Scatter& scatter : preparations) {
-        const bool given = settings.has(scatter.key);
-        if (given && settings.at(scatter.key).deviation) continue;
-        const std::optional<double> sd = given ? std::nullopt : stated(preset, scatter.key);
-        const double mean = value(scatter.key);
-        inputs.push_back(spread_about(scatter.key, mean, sd.value_or(scatter.variation * mean),
-                                      sd ? "preset " + preset.name : preparations_source));
+    const InkPreset* const preset = ink_preset(settings);
+    const bool cross = ink.at("law") == "cross";
+    for (const Key key : ink_parameters) {
+        const std::string name = parameter_name(key);
+        const bool given = settings.has(key);
+        if (!ink.contains(name) || !ink[name].is_number() || (given && settings.at(key).deviation)) continue;
+        const double mean = ink[name].get<double>();
+        const std::optional<double> sd = given || preset == nullptr ? std::nullopt : preset->sd(name);
+        const auto scatter = std::find_if(preparations.begin(), preparations.end(),
+                                          [&](const Scatter& s) { return cross && s.key == key; });
+        if (sd) {
+            inputs.push_back(spread_about(key, mean, *sd, "preset " + preset->name));
+        } else if (scatter != preparations.end()) {
+            inputs.push_back(spread_about(key, mean, scatter->variation * mean, preparations_source));
+        }
     }
-    const std::optional<double> sd = stated(preset, Key::eta_inf);
-    if (sd && !settings.has(Key::eta_inf))
-        inputs.push_back(spread_about(Key::eta_inf, value(Key::eta_inf), *sd, "preset " + preset.name));
 }
 
 void add_cell_scatter(std::vector<UncertainInput>& inputs, const Settings& settings) {
@@ -120,6 +107,14 @@ std::vector<UncertainInput> uncertain_inputs(const Settings& settings, const Jso
         add_needle_tolerance(inputs, settings);
         add_ink_scatter(inputs, settings, answer.at("input").at("ink"));
         add_cell_scatter(inputs, settings);
+    }
+    // By this law an ink thins, and its stress never falls.
+    if (answer.at("input").at("ink").at("law") == "carreau-yasuda") {
+        for (UncertainInput& input : inputs) {
+            if (input.key != Key::flow_index) continue;
+            input.kind = SpreadKind::normal;
+            input.high = 1.0;
+        }
     }
     // An input given with a spread of nothing is known exactly.
     std::erase_if(inputs, [](const UncertainInput& input) { return input.standard_deviation == 0.0; });

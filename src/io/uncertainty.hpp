@@ -16,8 +16,8 @@
 ///   log-normally   where it can only be positive: sizes, flows, viscosities, moduli (it never becomes negative, a
 ///                  product of powers of such inputs is of the same kind, and for a spread of 10 % it is as good as
 ///                  normal)
-///   normally       alpha (0 to 1), Poisson's ratio, and what is 0; cut at the bounds, which moves mean and spread
-///                  where they are nearer than three standard deviations
+///   normally       alpha and the flow index of Carreau-Yasuda (0 to 1), Poisson's ratio, and what is 0; cut at the
+///                  bounds, which moves mean and spread where they are nearer than three standard deviations
 ///   evenly         a needle's bore within its maker's tolerance
 ///
 /// The sample is Sobol's sequence (numerics/quasi_random.hpp): the same call has the same answer, for any number of

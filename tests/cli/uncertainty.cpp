@@ -11,6 +11,7 @@
 
 using bioprint::test::Outcome;
 using bioprint::test::run;
+using bioprint::test::write_scratch;
 using bioprint::testing::contains;
 using bioprint::testing::schema_violations;
 using nlohmann::json;
@@ -35,6 +36,38 @@ TEST_CASE("uncertainty: the presets' scatter with a table of shares and advice")
     CHECK(contains(outcome.out, "eta0 10 ± 1.5 Pa s (log-normal)"));
     CHECK(contains(outcome.out, "share of the variance by"));
     CHECK(contains(outcome.out, "Most of the spread of"));
+}
+
+TEST_CASE("uncertainty: an ink of any law varies by the spreads that its preset states") {
+    const auto names = [](const std::string& law, const std::string& parameters, const std::string& more) {
+        write_scratch("ink.json",
+                      R"({"name": "mine", "law": ")" + law + R"(", "parameters": {)" + parameters + "}}");
+        const Outcome outcome =
+            run("-q --ink ./ink.json --uncertainty --samples 16 --model steady --json" + more);
+        REQUIRE(outcome.status == 0);
+        std::string text;
+        const json answer = json::parse(outcome.out);
+        CHECK(answer["uncertainty"]["failed"] == 0);
+        for (const json& input : answer["uncertainty"]["inputs"])
+            text += input["name"].get<std::string>() + " " + input["source"].get<std::string>() + "; ";
+        return text;
+    };
+    const std::string herschel =
+        R"("yield_stress": {"value": 12, "unit": "Pa", "sd": 0.5}, "consistency": {"value": 8, "unit": "Pa.s^n", "sd": 0.2},
+           "flow_index": {"value": 0.5, "unit": "1"})";
+    CHECK(names("herschel-bulkley", herschel, "") == "consistency preset mine; yield-stress preset mine; ");
+    // What is given replaces the preset's; exactly or with a spread of its own.
+    CHECK(names("herschel-bulkley", herschel, " --yield-stress 10Pa") == "consistency preset mine; ");
+    CHECK(names("herschel-bulkley", herschel, " --yield-stress 10Pa±1Pa") ==
+          "yield-stress given; consistency preset mine; ");
+    CHECK(names("power-law",
+                R"("consistency": "8 Pa.s^n", "flow_index": {"value": 0.5, "unit": "1", "sd": 0.02})",
+                "") == "flow-index preset mine; ");
+    // Close to 1, where the law ends.
+    CHECK(names("carreau-yasuda",
+                R"("eta0": {"value": 8, "unit": "Pa.s", "sd": 1}, "time_constant": "1 s",
+                   "flow_index": {"value": 0.95, "unit": "1", "sd": 0.1})",
+                "") == "eta0 preset mine; flow-index preset mine; ");
 }
 
 TEST_CASE("uncertainty: the bytes do not depend on the threads") {

@@ -198,7 +198,7 @@ TEST_CASE("presets: an unknown gauge or tip is refused with what there is") {
 TEST_CASE("presets: an ink of a file may be written in several ways") {
     const InkPreset preset = read_single_ink(good_ink, "my.json");
     CHECK(cross_law(preset.ink).eta0 == 2000.0);
-    CHECK(preset.eta0_sd == 500.0);
+    CHECK(preset.sd("eta0") == 500.0);
     CHECK(cross_law(preset.ink).time_constant == 0.05);
     CHECK(cross_law(preset.ink).alpha == 0.5);
     CHECK_FALSE(preset.temperature.has_value());

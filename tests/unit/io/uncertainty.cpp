@@ -179,12 +179,12 @@ TEST_CASE("uncertainty: presets bring their scatter and what is given exactly ha
     // A preset that states its own.
     const InkPreset* own = nullptr;
     for (const InkPreset& preset : ink_presets()) {
-        if (preset.eta0_sd) own = &preset;
+        if (preset.sd("eta0")) own = &preset;
     }
     REQUIRE(own != nullptr);
     const Settings measured = settings({{Key::ink, own->name.c_str()}});
     const Json with = answer_object(predict(measured.make_case()));
-    CHECK(uncertain_inputs(measured, with, true).at(0).standard_deviation == own->eta0_sd);
+    CHECK(uncertain_inputs(measured, with, true).at(0).standard_deviation == own->sd("eta0"));
 }
 
 TEST_CASE("uncertainty: samples without an answer are counted and said and left out") {
