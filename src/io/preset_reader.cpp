@@ -11,6 +11,7 @@
 #include "bioprint/io/quantity.hpp"
 #include "io/json_lines.hpp"
 #include "io/text.hpp"
+#include "numerics/correlation.hpp"
 
 namespace bioprint {
 
@@ -21,6 +22,7 @@ using PlainJson = nlohmann::json;
 struct Value {
     double value;
     std::optional<double> sd;
+    bool determined = true;
 };
 
 enum class Sign { positive, not_negative };
@@ -84,6 +86,28 @@ class Node {
         return json_[key].get<double>();
     }
 
+    [[nodiscard]] bool truth(const char* key, bool otherwise) const {
+        if (!has(key)) return otherwise;
+        if (!json_[key].is_boolean()) fail(key, "is neither true nor false");
+        return json_[key].get<bool>();
+    }
+
+    /// A square matrix by rows.
+    [[nodiscard]] std::vector<double> matrix(const char* key, std::size_t size) const {
+        const std::string shape =
+            "is not a list of " + std::to_string(size) + " rows of " + std::to_string(size) + " numbers";
+        std::vector<double> numbers;
+        if (!has(key) || !json_[key].is_array() || json_[key].size() != size) fail(key, shape);
+        for (const PlainJson& row : json_[key]) {
+            if (!row.is_array() || row.size() != size) fail(key, shape);
+            for (const PlainJson& entry : row) {
+                if (!entry.is_number()) fail(key, shape);
+                numbers.push_back(entry.get<double>());
+            }
+        }
+        return numbers;
+    }
+
     /// {"value": …, "unit": …, "sd": …}, a text with a unit, or a number in SI.
     [[nodiscard]] std::optional<Value> quantity(const char* key, Dimension dimension, Sign sign) const {
         if (!has(key)) return {};
@@ -95,11 +119,12 @@ class Node {
             result.value = json.get<double>();
         } else {
             const Node node = object(key);
-            node.allow_only({"value", "unit", "sd", "tolerance"});
+            node.allow_only({"value", "unit", "sd", "tolerance", "determined"});
             result.value = node.with_unit("value", dimension);
             const char* spread = node.has("tolerance") ? "tolerance" : "sd";
             if (node.has(spread)) result.sd = node.with_unit(spread, dimension);
             if (result.sd && *result.sd < 0.0) node.fail(spread, "is negative");
+            result.determined = node.truth("determined", true);
         }
         if (result.value < 0.0 || (sign == Sign::positive && result.value == 0.0)) {
             fail(key, sign == Sign::positive ? "must be greater than 0" : "must not be negative");
@@ -154,6 +179,7 @@ class LawReader {
   private:
     double kept(const char* key, const Value& value) {
         if (value.sd) preset_.spreads.push_back({.name = key, .sd = *value.sd});
+        if (!value.determined) preset_.undetermined.emplace_back(key);
         return value.value;
     }
 
@@ -205,9 +231,32 @@ Ink read_law(const Node& node, const Node& parameters, LawReader read) {
     node.fail("law", "must be cross, power-law, carreau-yasuda or herschel-bulkley");
 }
 
+std::optional<ParameterCorrelation> read_correlation(const Node& ink, const Node& parameters) {
+    if (!ink.has("correlation")) return std::nullopt;
+    const Node node = ink.object("correlation");
+    node.allow_only({"parameters", "matrix"});
+    ParameterCorrelation correlation{.parameters = node.texts("parameters"), .matrix = {}};
+    std::vector<std::string>& names = correlation.parameters;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (!parameters.has(names[i].c_str()))
+            node.fail("parameters", "'" + names[i] + "' is none of this ink");
+        if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]) !=
+            names.begin() + static_cast<std::ptrdiff_t>(i)) {
+            node.fail("parameters", "'" + names[i] + "' stands there twice");
+        }
+    }
+    correlation.matrix = node.matrix("matrix", names.size());
+    if (!is_correlation(correlation.matrix, names.size())) {
+        node.fail("matrix",
+                  "is no correlation: it must be symmetric, with 1 on its diagonal and no combination of "
+                  "parameters of negative variance");
+    }
+    return correlation;
+}
+
 InkPreset read_ink(const Node& node) {
     node.allow_only({"name", "aliases", "material", "composition", "temperature", "law", "parameters",
-                     "shear_rate_range", "grade", "source", "note", "schema", "$schema"});
+                     "correlation", "shear_rate_range", "grade", "source", "note", "schema", "$schema"});
     InkPreset preset{.name = node.text("name"),
                      .aliases = node.texts("aliases"),
                      .material = node.text("material"),
@@ -215,12 +264,15 @@ InkPreset read_ink(const Node& node) {
                      .temperature = node.temperature(),
                      .ink = {},
                      .spreads = {},
+                     .undetermined = {},
+                     .correlation = {},
                      .shear_rate_range = {},
                      .grade = node.text("grade"),
                      .source = node.text("source"),
                      .note = node.text("note")};
     const Node parameters = node.object("parameters");
     preset.ink = read_law(node, parameters, LawReader(parameters, preset));
+    preset.correlation = read_correlation(node, parameters);
     if (preset.name.empty()) node.fail("name", "is missing");
     if (node.has("shear_rate_range")) {
         const Node range = node.object("shear_rate_range");

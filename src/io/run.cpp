@@ -55,7 +55,7 @@ void answer_one(const Settings& row, const RunOptions& options, const Sink& sink
         for (const std::string& path : options.paths) {
             sink(value_text(value_meant(answer, path)) + "\n");
         }
-        for (const Warning& warning : prediction.warnings) notice(warning.message);
+        for (const Json& warning : answer["warnings"]) notice(warning["message"].get<std::string>());
         return;
     }
     switch (options.format) {

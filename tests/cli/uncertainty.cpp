@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -68,6 +69,42 @@ TEST_CASE("uncertainty: an ink of any law varies by the spreads that its preset 
                 R"("eta0": {"value": 8, "unit": "Pa.s", "sd": 1}, "time_constant": "1 s",
                    "flow_index": {"value": 0.95, "unit": "1", "sd": 0.1})",
                 "") == "eta0 preset mine; flow-index preset mine; ");
+}
+
+TEST_CASE("uncertainty: a fitted ink varies as its flow curve leaves it open") {
+    std::string curve = "rate [1/s],viscosity [Pa.s]\n";
+    std::string high = curve;
+    for (int i = 0; i < 31; ++i) {
+        const auto point = [&](double rate) {
+            const double scatter = 1.0 + 0.02 * std::sin(12.9898 * i * i + 1.0);
+            return std::to_string(rate) + "," +
+                   std::to_string(37.0 * scatter / (1.0 + std::pow(0.8 * rate, 0.68))) + "\n";
+        };
+        curve += point(0.01 * std::pow(10.0, i / 6.0));
+        high += point(100.0 * std::pow(10.0, i / 30.0));
+    }
+    write_scratch("curve.csv", curve);
+    write_scratch("high.csv", high);
+    REQUIRE(run("fit -q curve.csv --preset curve.json").status == 0);
+    REQUIRE(run("fit -q high.csv --preset high.json").status == 0);
+    const std::string call = "--uncertainty --model steady --radius 50±1um ";
+    const json answer = json::parse(run(call + "--json -q --ink ./curve.json").out);
+    CHECK(schema_violations(answer, "answer") == "");
+    CHECK(answer["uncertainty"]["correlation"]["names"] == json({"eta0", "time-constant", "alpha"}));
+    CHECK(answer["uncertainty"]["held"].empty());
+    const std::string table = run(call + "--ink ./curve.json").out;
+    CHECK(contains(table, "vary together"));
+    CHECK_FALSE(contains(table, "do not determine"));
+    // Given, it leaves the others alone.
+    const json given = json::parse(run(call + "--json -q --ink ./curve.json --eta0 37Pa.s±1Pa.s").out);
+    CHECK(given["uncertainty"]["correlation"]["names"] == json({"time-constant", "alpha"}));
+
+    const Outcome open = run(call + "--ink ./high.json");
+    CHECK(contains(open.out, "do not determine time-constant"));
+    CHECK_FALSE(contains(open.out, "\n  time-constant "));
+    const Outcome value = run(call + "--ink ./high.json --get uncertainty.held");
+    CHECK(value.out == "[\"time-constant\"]\n");
+    CHECK(contains(value.err, "do not determine time-constant"));
 }
 
 TEST_CASE("uncertainty: the bytes do not depend on the threads") {

@@ -27,14 +27,24 @@ struct ParameterSpread {
     double sd;         ///< standard deviation [SI]
 };
 
+/// How the errors of parameters that were fitted together hang together: of their logarithms, of Carreau-Yasuda's flow
+/// index of itself. A standard deviation over its value is then that of the logarithm, and the value is the median.
+struct ParameterCorrelation {
+    std::vector<std::string> parameters;
+    std::vector<double> matrix;  ///< by rows
+};
+
 struct InkPreset {
     std::string name;
     std::vector<std::string> aliases;
     std::string material;
     std::string composition;
-    std::optional<double> temperature;       ///< [°C]
-    Ink ink;                                    ///< SI
-    std::vector<ParameterSpread> spreads;       ///< of the parameters whose spread is stated
+    std::optional<double> temperature;     ///< [°C]
+    Ink ink;                               ///< SI
+    std::vector<ParameterSpread> spreads;  ///< of the parameters whose spread is stated
+    std::vector<std::string>
+        undetermined;  ///< parameters that the data behind it leave open, whatever their sd
+    std::optional<ParameterCorrelation> correlation;
     std::optional<RateRange> shear_rate_range;  ///< the rates it was fitted to
     std::string grade;
     std::string source;
