@@ -107,6 +107,7 @@ struct Row {
     std::string answer;
     bool refused = false;
     ExtraResults extras;
+    std::vector<bool> absent;  ///< of the paths asked for
 };
 
 bool ends_as_number(std::string_view text) {
@@ -138,6 +139,7 @@ class CsvBatch {
         RunResult result = options_.start;
         result.format = options_.format;
         CheckTally tally(options_.extras.checks);
+        PathTally paths(options_.paths);
         if (writes_head(options_, result)) sink(head());
         std::size_t passed = 0;  // rows that an earlier part of this run has answered
         while ((more || !rows_.empty()) && !result.interrupted) {
@@ -151,6 +153,7 @@ class CsvBatch {
                 if (!row.blank) {
                     result.refused += row.refused ? 1 : 0;
                     tally.add(row.extras.checks);
+                    paths.add(row.absent);
                     if (row.sealed) notice("line " + std::to_string(row.line) + ": " + row.fault);
                     sink(placed(row.answer, result.rows));
                     ++result.rows;
@@ -164,6 +167,7 @@ class CsvBatch {
             if (more) more = read_chunk();
         }
         if (as_array() && !(options_.keep && result.interrupted)) sink("\n]\n");
+        paths.say(notice);
         result.failed_checks = tally.lines();
         return result;
     }
@@ -254,7 +258,8 @@ class CsvBatch {
                 .line_end = std::string(record.line_end),
                 .cells = {},
                 .answer = {},
-                .extras = {}};
+                .extras = {},
+                .absent = {}};
         // Missing cells at the end are empty cells; what is too long or never closed cannot take columns of ours.
         if (record.fields.size() < reader_.header().size() && !record.open_quote &&
             record.raw.find('\0') == std::string_view::npos) {
@@ -323,7 +328,9 @@ class CsvBatch {
         row.refused = result.refused;
         row.extras = result.extras;
         if (!options_.paths.empty()) {
-            row.answer = values_line(result, options_.paths);
+            ValuesLine line = values_line(result, options_.paths);
+            row.answer = std::move(line.text);
+            row.absent = std::move(line.absent);
         } else if (options_.format == Format::csv) {
             row.answer = csv_line(row, result.object);
         } else {

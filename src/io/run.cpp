@@ -154,6 +154,7 @@ RunResult run_sweep(const Sweep& sweep, const RunOptions& options, const Sink& s
 
     RowWriter writer(options, cell_entries(sweep.fixed()), sweep.fixed().has(Key::population),
                      passage_entries(sweep.fixed()));
+    PathTally paths(options.paths);
     result = options.start;
     result.format = options.format;
     if (writes_head(options, result)) sink(writer.head());
@@ -170,6 +171,7 @@ RunResult run_sweep(const Sweep& sweep, const RunOptions& options, const Sink& s
             sink(writer.placed(texts[i].text, begin + i));
             result.refused += texts[i].refused ? 1 : 0;
             tally.add(texts[i].extras.checks);
+            paths.add(texts[i].absent);
         }
         result.rows += count;
         result.read += count;
@@ -178,6 +180,7 @@ RunResult run_sweep(const Sweep& sweep, const RunOptions& options, const Sink& s
         if (result.interrupted) break;
     }
     if (!(options.keep && result.interrupted)) sink(writer.tail());
+    paths.say(notice);
     result.failed_checks = tally.lines();
     return result;
 }
