@@ -96,7 +96,14 @@ RunResult run_json_lines(ByteSource& source, const BatchInput& input, const RunO
             const Json id = take_id(lines[i]);
             const auto question = [&] {
                 if (!lines[i].error.empty()) throw UsageError(lines[i].error);
-                return settings_of(lines[i].value).over(defaults);
+                Settings settings = settings_of(lines[i].value).over(defaults);
+                const bool columns = options.format == Format::csv && options.paths.empty();
+                if (columns && !options.extras.uncertainty.wanted && settings.has_deviation()) {
+                    throw UsageError(
+                        "line " + std::to_string(lines[i].number) +
+                        ": has a ±, and there are no columns for it; give --uncertainty or --format jsonl");
+                }
+                return settings;
             };
             texts[i] = writer.answer(question, id);
         });

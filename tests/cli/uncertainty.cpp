@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -139,6 +140,47 @@ TEST_CASE("uncertainty: rows of a batch carry spreads of their own") {
     CHECK(rows[1]["uncertainty"]["inputs"][0]["name"] == "radius");
     CHECK_FALSE(rows[2].contains("uncertainty"));
     for (const json& row : rows) CHECK(schema_violations(row, "answer") == "");
+}
+
+TEST_CASE("uncertainty: a spread in a cell of a CSV batch has its columns in the answer") {
+    const std::string rows =
+        "id,radius [um],alpha,velocity\na,50,0.75±0.05,5mm/s\nb,100,0.5,5mm/s±5%\nc,80,0.6,5mm/s\n";
+    write_scratch("spread.csv", rows);
+    for (const std::string& batch : {std::string("spread.csv"), std::string("-")}) {
+        const Outcome outcome = run("--batch " + batch + " --model steady --samples 16", rows);
+        CHECK(outcome.status == 0);
+        std::istringstream lines(outcome.out);
+        std::vector<std::vector<std::string>> cells;
+        for (std::string line; std::getline(lines, line);) {
+            cells.emplace_back();
+            std::istringstream row(line);
+            for (std::string cell; std::getline(row, cell, ',');) cells.back().push_back(cell);
+        }
+        REQUIRE(cells.size() == 4);
+        const std::string name = "uncertainty.nozzle.stress_max.standard_deviation [Pa]";
+        const auto column = std::find(cells[0].begin(), cells[0].end(), name) - cells[0].begin();
+        REQUIRE(column < std::ssize(cells[0]));
+        const auto at = [&](std::size_t row) { return cells[row].at(static_cast<std::size_t>(column)); };
+        CHECK(std::stod(at(1)) > 1.0);
+        CHECK(std::stod(at(2)) > 0.1);
+        CHECK(at(3).empty());
+        // Answered twice it is the same.
+        CHECK(run("--batch - --model steady --samples 16", outcome.out).out == outcome.out);
+    }
+    // The columns stand before the rows: a spread that comes too late is refused and not dropped.
+    const Outcome late = run("--batch - --model steady", "alpha\n0.5\n0.5±0.1\n");
+    CHECK(late.status == 6);
+    CHECK(contains(late.out, "line 3: has a ±"));
+    CHECK(run("--batch - --model steady --uncertainty --samples 8", "alpha\n0.5\n0.5±0.1\n").status == 0);
+    write_scratch("late.csv", "alpha\n0.5\n0.5±0.1\n");
+    CHECK(run("--batch late.csv --model steady --samples 8").status == 0);
+    const Outcome lines = run("--batch - --model steady --format csv", "{\"alpha\":\"0.5±0.1\"}\n");
+    CHECK(lines.status == 6);
+    CHECK(contains(lines.out, "line 1: has a ±"));
+    // A row that takes the command line's spread away has none.
+    const Outcome without =
+        run("--batch - --alpha 0.5±0.1 --model steady --samples 8", "alpha\n\"0.4\"\n\"\"\n0.3±0.1\n");
+    CHECK(without.status == 0);
 }
 
 TEST_CASE("uncertainty: with the population the spread of its quantiles") {
