@@ -201,6 +201,8 @@ TEST_CASE("fit command: wrong calls and files end with one clear line") {
         CHECK(outcome.out.empty());
     }
     CHECK(contains(run("fit --help").out, "--eta-inf"));
+    const std::string help = run("--help").out;
+    CHECK(contains(help.substr(help.find("Subcommands:")), "\n  fit "));
     // Both problems at once.
     const Outcome both = run("fit curve.txt --law x --eta-inf y");
     CHECK(contains(both.err, "--law"));
