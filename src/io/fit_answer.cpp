@@ -109,6 +109,18 @@ std::string source_of(const FitAnswer& answer) {
     return text + " (" + std::string(program_name) + " " + std::string(program_version()) + ")";
 }
 
+/// The viscosity at infinite rate is the least of a law that thins.
+void require_below_points(double eta_inf, const std::vector<FlowPoint>& points) {
+    double highest = 0.0;
+    for (const FlowPoint& p : points) highest = std::max(highest, p.viscosity);
+    if (points.empty() || eta_inf < highest) return;
+    throw UsageError("--eta-inf: got " + lab_text(eta_inf, Dimension::viscosity) +
+                         ", which no point reaches: the highest viscosity measured is " +
+                         lab_text(highest, Dimension::viscosity, 4) +
+                         "; it must lie below them all, or leave it out",
+                     "--eta-inf");
+}
+
 }  // namespace
 
 double FitPoint::residual() const {
@@ -133,6 +145,7 @@ FitAnswer answer_fit(const FitQuestion& question, RheometerData data) {
     for (const FitPoint& p : answer.points) {
         points.push_back({.rate = p.rate, .viscosity = p.measured, .weight = p.weight});
     }
+    require_below_points(question.eta_inf, points);
     try {
         answer.fit = fit_flow_curve(points, {.eta_inf = question.eta_inf});
     } catch (const UsageError& e) {

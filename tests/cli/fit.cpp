@@ -152,6 +152,48 @@ TEST_CASE("fit command: what the data leave open is said") {
     CHECK(run("fit yield.txt -q --law best --get fit.law").out == "herschel-bulkley\n");
 }
 
+TEST_CASE("fit command: what leaves a parameter open is called by its name") {
+    const auto notes = [](const std::string& call, double (*viscosity)(double), double error) {
+        std::vector<ExportPoint> points = curve(0.01, 1000.0, 31);
+        for (std::size_t i = 0; i < points.size(); ++i)
+            points[i].viscosity =
+                viscosity(points[i].rate) * std::exp(100.0 * error * scatter(static_cast<int>(i)));
+        write_scratch("open.csv", rheometer_export(ExportKind::plain_named, points));
+        const Outcome outcome = run("fit open.csv --json " + call);
+        CHECK(outcome.status == 0);
+        std::string text;
+        const json answer = json::parse(outcome.out);
+        for (const json& warning : answer["warnings"])
+            text += warning["code"].get<std::string>() + ": " + warning["message"].get<std::string>() + "\n";
+        return text;
+    };
+    // Thickening is no Newtonian ink.
+    const auto thick = [](double rate) { return std::pow(rate, 0.3); };
+    const std::string thickening = notes("", thick, 0.02);
+    CHECK(contains(thickening, "thickening: the ink thickens"));
+    CHECK(contains(thickening, "n = 1.3"));
+    CHECK_FALSE(contains(thickening, "Newtonian between"));
+    CHECK_FALSE(contains(notes("--law power-law", thick, 0.02), "thickening"));
+    // Five decades that thin fully: it is the law, or the scatter.
+    const auto floor = [](double rate) { return 0.3 + 50.0 / (1.0 + std::pow(3.0 * rate, 0.9)); };
+    const std::string wrong_law = notes("", floor, 0.02);
+    CHECK(contains(wrong_law,
+                   "not_determined: the data do not determine K: this law does not describe the points"));
+    CHECK_FALSE(contains(wrong_law, "too little of the thinning"));
+    const auto noisy = [](double rate) { return 20.0 / (1.0 + std::pow(0.3 * rate, 0.7)); };
+    const std::string scattered = notes("", noisy, 0.7);
+    CHECK(contains(scattered, "too much to tell"));
+    CHECK_FALSE(contains(scattered, "too little of the thinning"));
+    // Thinning that has only begun.
+    const auto begun = [](double rate) { return 20.0 / (1.0 + std::pow(0.0003 * rate, 0.9)); };
+    CHECK(contains(notes("", begun, 0.02), "too little of the thinning branch is measured"));
+    // A floor above the points.
+    CHECK(contains(notes("--eta-inf 1", floor, 0.02), "eta_inf_above_points: eta_inf is held at 1 Pa s"));
+    const Outcome above = run("fit open.csv --eta-inf 60");
+    CHECK(above.status == 2);
+    CHECK(contains(above.err, "--eta-inf: got 60 Pa s, which no point reaches"));
+}
+
 TEST_CASE("fit command: outliers and bad rows are counted with their lines") {
     std::string text = "Shear rate [1/s],Viscosity [Pa.s]\n";
     int line = 1;
