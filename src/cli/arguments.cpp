@@ -347,6 +347,10 @@ std::optional<Arguments> parse_words(int argc, const char* const* argv) {
     add_answer_options(app, raw, arguments);
     add_simulation_options(app, raw);
     const CLI::App* const design = add_design(app, raw.design);
+    // For the list of --help: `fit` has options of its own and is told apart before these are read.
+    CLI::App* const fit =
+        app.add_subcommand("fit", "the ink of a flow curve; options: bioprint-predict fit --help");
+    fit->prefix_command();
     app.require_subcommand(0, 1);
     add_long_run_options(app, raw.long_run);
     add_ladder_options(app, raw.ladder);
@@ -361,6 +365,9 @@ std::optional<Arguments> parse_words(int argc, const char* const* argv) {
         return std::nullopt;
     } catch (const CLI::ParseError& e) {
         problems.add(e.what());
+    }
+    if (fit->parsed()) {
+        problems.add("'fit': comes first: bioprint-predict fit FILE; see bioprint-predict fit --help", "fit");
     }
     add_extra_arguments(app.remaining(), long_names(app), "bioprint-predict --help", problems);
     arguments.typed = typed_question(app);

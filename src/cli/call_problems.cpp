@@ -22,8 +22,6 @@ void add_extra_arguments(std::span<const std::string> extras, std::span<const st
         const std::string_view near = option ? nearest(name, names) : std::string_view{};
         std::string message = in_quotes(extra) + ": " + (option ? "no such option" : "an argument too many");
         message += near.empty() ? "; see " + help : "; did you mean " + std::string(near) + "?";
-        if (extra == "fit")
-            message = "'fit': comes first: bioprint-predict fit FILE; see bioprint-predict fit --help";
         problems.add(message, extra);
     }
 }

@@ -12,6 +12,25 @@ bool sizes(Key key) {
     return key == Key::radius || key == Key::diameter || key == Key::needle;
 }
 
+/// A search asks for the prediction some twenty times, and for what is made of it afterwards not at all.
+void refuse_beyond_prediction(const Check& limit) {
+    const std::string_view first = std::string_view(limit.path).substr(0, limit.path.find('.'));
+    if (first == "uncertainty") {
+        throw UsageError(
+            "--limit: " + limit.text +
+                ": a design sets no limit on a spread, which takes 1024 predictions at every step; limit the "
+                "value itself, and hold the spread there against its own limit by --check '" +
+                limit.text + "'",
+            "--limit");
+    }
+    if (first == "simulation" || first == "choice" || first == "checks") {
+        throw UsageError("--limit: " + limit.text + ": a design searches among predictions, which have no '" +
+                             std::string(first) +
+                             "'; limit a value of the prediction, such as nozzle.stress_max<2kPa",
+                         "--limit");
+    }
+}
+
 /// What is sought cannot be given.
 void refuse_given(Key sought, const Arguments& arguments, Problems& problems) {
     for (const auto& [key, text] : arguments.given) {
@@ -48,8 +67,9 @@ CLI::App* add_design(CLI::App& app, RawDesign& raw) {
 
 void collect_design(const RawDesign& raw, Arguments& arguments, Problems& problems) {
     if (!raw.sought) {
-        problems.add("--solve: is missing; it takes radius, flowrate, velocity, pressure or alpha",
-                     "--solve");
+        problems.add(
+            "--solve: is missing; it takes radius, flowrate, velocity, pressure, pressure-gradient or alpha",
+            "--solve");
     }
     if (raw.limits.empty()) {
         problems.add("--limit: is missing; it takes what to keep, such as 'nozzle.stress_max<2kPa'",
@@ -60,7 +80,10 @@ void collect_design(const RawDesign& raw, Arguments& arguments, Problems& proble
     }
     std::vector<Check> limits;
     for (const std::string& text : raw.limits) {
-        problems.collect([&] { limits.push_back(parse_check(text, "--limit")); });
+        problems.collect([&] {
+            limits.push_back(parse_check(text, "--limit"));
+            refuse_beyond_prediction(limits.back());
+        });
     }
     problems.collect([&] {
         if (!raw.sought) return;

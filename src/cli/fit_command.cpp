@@ -12,6 +12,7 @@
 #include "bioprint/io/answer.hpp"
 #include "bioprint/io/quantity.hpp"
 #include "cli/call_problems.hpp"
+#include "cli/named_files.hpp"
 #include "io/fit_answer.hpp"
 #include "io/fit_picture.hpp"
 #include "io/fit_table.hpp"
@@ -19,6 +20,7 @@
 #include "io/plot.hpp"
 #include "io/settings.hpp"
 #include "io/whole_file.hpp"
+#include "io/workbook.hpp"
 
 namespace bioprint {
 namespace {
@@ -129,6 +131,19 @@ void check_plot(const Raw& raw, FitCall& call, Problems& problems) {
     }
 }
 
+void check_files(const Raw& raw, Problems& problems) {
+    const std::vector<NamedFile> files = {{.option = "FILE", .file = raw.file, .written = false},
+                                          {.option = "--output", .file = raw.output},
+                                          {.option = "--preset", .file = raw.preset},
+                                          {.option = "--plot", .file = raw.plot}};
+    refuse_shared_files(files, problems);
+    require_ending(files[2], "a preset", {".json"}, problems);
+    if (raw.output && names_workbook(*raw.output)) {
+        problems.add("--output: a fit has no workbook; name another, such as one in .csv with --format csv",
+                     "--output");
+    }
+}
+
 FitCall check(const Raw& raw, Problems& problems) {
     FitCall call;
     if (!raw.file || raw.file->empty()) {
@@ -180,6 +195,7 @@ FitCall check(const Raw& raw, Problems& problems) {
         call.format = FitFormat::json;
     }
     check_plot(raw, call, problems);
+    check_files(raw, problems);
     return call;
 }
 

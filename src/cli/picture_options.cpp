@@ -1,5 +1,6 @@
 #include "cli/picture_options.hpp"
 
+#include "cli/named_files.hpp"
 #include "io/workbook.hpp"
 
 namespace bioprint {
@@ -91,6 +92,21 @@ void collect_shard(const RawPictures& raw, Arguments& arguments, Problems& probl
     }
 }
 
+/// A file that a preset is read from, or another option writes, is not to be lost; the rows of a batch may be replaced by
+/// themselves with their answers.
+void check_files(const RawPictures& raw, const Arguments& arguments, Problems& problems) {
+    std::vector<NamedFile> files = {{.option = "--output", .file = arguments.output},
+                                    {.option = "--history", .file = arguments.history},
+                                    {.option = "--plot", .file = raw.plot},
+                                    {.option = "--report", .file = raw.report}};
+    require_ending(files.back(), "a report", {".html", ".htm"}, problems);
+    for (const auto& [key, text] : arguments.given) {
+        const bool file = text.find('/') != std::string::npos || text.ends_with(".json");
+        if (key == Key::ink && file) files.push_back({.option = "--ink", .file = text, .written = false});
+    }
+    refuse_shared_files(files, problems);
+}
+
 }  // namespace
 
 void add_picture_options(CLI::App& app, RawPictures& raw, const std::string& group) {
@@ -110,6 +126,7 @@ void add_picture_options(CLI::App& app, RawPictures& raw, const std::string& gro
 }
 
 void collect_pictures(const RawPictures& raw, Arguments& arguments, Problems& problems) {
+    check_files(raw, arguments, problems);
     collect_plot(raw, arguments, problems);
     collect_report(raw, arguments, problems);
     collect_shard(raw, arguments, problems);

@@ -71,7 +71,8 @@ Json checks_array(const std::vector<Check>& checks, const std::vector<CheckResul
 }
 
 void add_spread(Json& answer, const Settings& settings, const Extras& extras, unsigned jobs) {
-    if (extras.uncertainty.wanted || settings.has_deviation()) {
+    // Among many rows one may have no spread of its own; then it has none, which is no mistake.
+    if (extras.uncertainty.presets || settings.has_deviation()) {
         add_uncertainty(answer, settings, extras.uncertainty, jobs);
     }
 }

@@ -100,6 +100,14 @@ std::string_view simulated_unit(std::string_view leaf) {
     return found == units.end() ? std::string_view{} : found->second;
 }
 
+/// Whether a path leads into a part that answers have as they were asked, and this one has not.
+bool lacks_section(const Json& answer, std::string_view path) {
+    const std::string_view first = path.substr(0, path.find('.'));
+    if (first == "warnings") return path.size() > first.size();  // as many as there are
+    return (first == "uncertainty" || first == "population" || first == "profile" || first == "passages") &&
+           !answer.contains(first);
+}
+
 }  // namespace
 
 std::string member_path(std::string path, std::string_view name) {
@@ -127,6 +135,15 @@ const Json& value_meant(const Json& answer, std::string_view path, std::string_v
             text.replace(at, begin.size(), short_form);
         }
         throw UsageError(text, std::string(option));
+    }
+}
+
+const Json* value_if_any(const Json& answer, std::string_view path, std::string_view option) {
+    try {
+        return &value_meant(answer, path, option);
+    } catch (const UsageError&) {
+        if (is_known_path(path) || lacks_section(answer, path)) return nullptr;
+        throw;
     }
 }
 

@@ -28,6 +28,11 @@ std::string json_path(const Json& answer, std::string_view path);
 /// @throws UsageError  naming `option` and the path as it was written: no such place
 const Json& value_meant(const Json& answer, std::string_view path, std::string_view option = "--get");
 
+/// The same; none where this answer lacks what others have: the plug of another law, a fifth cell, a section that its
+/// row did not ask for.
+/// @throws UsageError  naming `option`: no answer has such a place
+const Json* value_if_any(const Json& answer, std::string_view path, std::string_view option = "--get");
+
 /// The number or null at a path, short forms included.
 /// @throws UsageError  naming `option`: no such place, or a text or list there
 std::optional<double> number_at(const Json& answer, std::string_view path, std::string_view option);

@@ -64,7 +64,7 @@ Json take_id(JsonLine& line) {
 }
 
 RunResult run_json_lines(ByteSource& source, const BatchInput& input, const RunOptions& options,
-                         const Sink& sink) {
+                         const Sink& sink, const Sink& notice) {
     const Settings& defaults = input.defaults;
     const Shard whole{.piece = 1, .pieces = 1};
     const RowRange share = rows_of(options.shard.value_or(whole),
@@ -78,6 +78,7 @@ RunResult run_json_lines(ByteSource& source, const BatchInput& input, const RunO
     result.format = options.format;
     for (std::size_t passed = 0; passed < result.read && reader.next(); ++passed) continue;
     CheckTally tally(options.extras.checks);
+    PathTally paths(options.paths);
     if (writes_head(options, result)) sink(writer.head());
     std::vector<JsonLine> lines;
     std::vector<RowText> texts;
@@ -95,7 +96,14 @@ RunResult run_json_lines(ByteSource& source, const BatchInput& input, const RunO
             const Json id = take_id(lines[i]);
             const auto question = [&] {
                 if (!lines[i].error.empty()) throw UsageError(lines[i].error);
-                return settings_of(lines[i].value).over(defaults);
+                Settings settings = settings_of(lines[i].value).over(defaults);
+                const bool columns = options.format == Format::csv && options.paths.empty();
+                if (columns && !options.extras.uncertainty.wanted && settings.has_deviation()) {
+                    throw UsageError(
+                        "line " + std::to_string(lines[i].number) +
+                        ": has a ±, and there are no columns for it; give --uncertainty or --format jsonl");
+                }
+                return settings;
             };
             texts[i] = writer.answer(question, id);
         });
@@ -104,6 +112,7 @@ RunResult run_json_lines(ByteSource& source, const BatchInput& input, const RunO
             ++result.rows;
             result.refused += text.refused ? 1 : 0;
             tally.add(text.extras.checks);
+            paths.add(text.absent);
         }
         result.read += lines.size();
         more = more && result.rows < share.end - share.begin;
@@ -111,6 +120,7 @@ RunResult run_json_lines(ByteSource& source, const BatchInput& input, const RunO
         if (options.keep) options.keep(result);
     }
     if (!(options.keep && result.interrupted)) sink(writer.tail());
+    paths.say(notice);
     result.failed_checks = tally.lines();
     return result;
 }
@@ -128,7 +138,7 @@ RunResult run_batch(const BatchInput& input, std::optional<Format> format, const
     }
     if (starts_as_json(peeked.head())) {
         chosen.format = format.value_or(Format::jsonl);
-        return run_json_lines(peeked, input, chosen, sink);
+        return run_json_lines(peeked, input, chosen, sink, notice);
     }
     chosen.format = format.value_or(Format::csv);
     return run_csv_batch(peeked, input, chosen, sink, notice);

@@ -1,11 +1,13 @@
 #include "io/checks.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "bioprint/errors.hpp"
 #include "bioprint/io/number_format.hpp"
 #include "io/answer_path.hpp"
+#include "io/settings.hpp"
 #include "io/text.hpp"
 
 namespace bioprint {
@@ -26,6 +28,16 @@ std::string no_value(const Check& check) {
         return "there is no value; give the nozzle's --length";
     }
     return "there is no value; the answer's warnings say why";
+}
+
+/// Refuses a path that leads nowhere in an answer; parts that only some answers have may hold what it names.
+void require_place(std::string_view path, std::string_view option) {
+    const std::string_view first = path.substr(0, path.find('.'));
+    static constexpr std::array<std::string_view, 6> of_some = {"population",  "profile", "simulation",
+                                                                "uncertainty", "checks",  "choice"};
+    if (std::find(of_some.begin(), of_some.end(), first) != of_some.end()) return;
+    const Json answer = answer_object(predict(Settings{}.make_case()));
+    if (value_if_any(answer, path, option) != nullptr) (void)number_at(answer, path, option);
 }
 
 }  // namespace
@@ -65,7 +77,19 @@ Check parse_check(std::string_view text, std::string_view option) {
         throw UsageError(name + ": got " + in_quotes(text) + ", without a path" + form, name);
     check.dimension = dimension_at(check.path);
     const std::string_view quantity = trimmed(text.substr(at + (equal ? 2 : 1)));
-    check.limit = parse_quantity(quantity, check.dimension, name + " " + check.path);
+    if (is_known_path(quantity) && !is_known_path(check.path)) {
+        const std::string turned = text[at] == '<' ? ">" : "<";
+        throw UsageError(name + ": got " + in_quotes(text) + "; the path stands on the left: '" +
+                             std::string(quantity) + turned + (equal ? "=" : "") + check.path + "'",
+                         name);
+    }
+    try {
+        check.limit = parse_quantity(quantity, check.dimension, name + " " + check.path);
+    } catch (const UsageError&) {
+        // A path that is mistaken has no unit, and it is the path that has to be mended.
+        require_place(check.path, name);
+        throw;
+    }
     return check;
 }
 

@@ -7,6 +7,7 @@
 #include "io/csv.hpp"
 #include "io/parallel.hpp"
 #include "io/row_answer.hpp"
+#include "io/spread_text.hpp"
 #include "io/text.hpp"
 
 namespace bioprint {
@@ -107,6 +108,7 @@ struct Row {
     std::string answer;
     bool refused = false;
     ExtraResults extras;
+    std::vector<bool> absent;  ///< of the paths asked for
 };
 
 bool ends_as_number(std::string_view text) {
@@ -136,11 +138,15 @@ class CsvBatch {
         if (options_.shard) share_ = rows_of(*options_.shard, count_csv_records(input_.file).records);
         bool more = read_chunk();
         const std::size_t cells = entries();
+        Extras extras = options_.extras;
+        extras.uncertainty.wanted = extras.uncertainty.wanted || (in_kind() && has_spreads());
+        with_spread_ = extras.uncertainty.wanted;
         columns_.emplace(cells, layout_.asks(Key::population) || input_.defaults.has(Key::population),
-                         passage_entries(input_.defaults) > 0 ? cells / 3 : 0, options_.extras);
+                         passage_entries(input_.defaults) > 0 ? cells / 3 : 0, extras);
         RunResult result = options_.start;
         result.format = options_.format;
         CheckTally tally(options_.extras.checks);
+        PathTally paths(options_.paths);
         if (writes_head(options_, result)) sink(head());
         std::size_t passed = 0;  // rows that an earlier part of this run has answered
         while ((more || !rows_.empty()) && !result.interrupted) {
@@ -154,6 +160,7 @@ class CsvBatch {
                 if (!row.blank) {
                     result.refused += row.refused ? 1 : 0;
                     tally.add(row.extras.checks);
+                    paths.add(row.absent);
                     if (row.sealed) notice("line " + std::to_string(row.line) + ": " + row.fault);
                     sink(placed(row.answer, result.rows));
                     ++result.rows;
@@ -167,6 +174,7 @@ class CsvBatch {
             if (more) more = read_chunk();
         }
         if (as_array() && !(options_.keep && result.interrupted)) sink("\n]\n");
+        paths.say(notice);
         result.failed_checks = tally.lines();
         return result;
     }
@@ -203,6 +211,25 @@ class CsvBatch {
             }
         }
         return cell_entries(input_.defaults);
+    }
+
+    /// Whether any cell has a ±, so that there are columns for what comes of it. A file is read through for that; of a
+    /// stream one row is sure to be here, and the columns must not depend on how its bytes come.
+    [[nodiscard]] bool has_spreads() const {
+        if (!can_be_read_twice(input_.file)) return !rows_.empty() && has_spread_cell(rows_.front());
+        const std::unique_ptr<ByteSource> source = open_bytes(input_.file);
+        CsvReader reader(*source, input_.file);
+        while (reader.next()) {
+            if (has_spread_cell(take(reader.record()))) return true;
+        }
+        return false;
+    }
+
+    [[nodiscard]] bool has_spread_cell(const Row& row) const {
+        for (std::size_t i = 0; i < row.cells.size(); ++i) {
+            if (info_of(layout_.questions()[i].key).dimension && has_spread(row.cells[i])) return true;
+        }
+        return false;
     }
 
     [[nodiscard]] std::string head() const {
@@ -249,7 +276,8 @@ class CsvBatch {
                 .line_end = std::string(record.line_end),
                 .cells = {},
                 .answer = {},
-                .extras = {}};
+                .extras = {},
+                .absent = {}};
         // Missing cells at the end are empty cells; what is too long or never closed cannot take columns of ours.
         if (record.fields.size() < reader_.header().size() && !record.open_quote &&
             record.raw.find('\0') == std::string_view::npos) {
@@ -312,13 +340,21 @@ class CsvBatch {
                 throw UsageError("line " + std::to_string(row.line) +
                                  ": more positions than the first row has; put the longest list first");
             }
+            if (in_kind() && !with_spread_ && settings.has_deviation()) {
+                throw UsageError(
+                    "line " + std::to_string(row.line) +
+                    ": has a ±, and there are no columns for it, because the first row of this stream "
+                    "has none; move it to the top, or give a file, --uncertainty or --format jsonl");
+            }
             return settings;
         };
         const RowAnswer result = answer_row(question, options_.extras);
         row.refused = result.refused;
         row.extras = result.extras;
         if (!options_.paths.empty()) {
-            row.answer = values_line(result, options_.paths);
+            ValuesLine line = values_line(result, options_.paths);
+            row.answer = std::move(line.text);
+            row.absent = std::move(line.absent);
         } else if (options_.format == Format::csv) {
             row.answer = csv_line(row, result.object);
         } else {
@@ -341,6 +377,7 @@ class CsvBatch {
     const BatchInput& input_;
     const RunOptions& options_;
     std::optional<CsvColumns> columns_;
+    bool with_spread_ = false;  ///< there are columns for the uncertainty
     std::vector<Row> rows_;
     std::optional<RowRange> share_;  ///< of `--shard`
     std::size_t rows_read_ = 0;      ///< counted with a share only

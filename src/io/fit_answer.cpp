@@ -109,6 +109,18 @@ std::string source_of(const FitAnswer& answer) {
     return text + " (" + std::string(program_name) + " " + std::string(program_version()) + ")";
 }
 
+/// The viscosity at infinite rate is the least of a law that thins.
+void require_below_points(double eta_inf, const std::vector<FlowPoint>& points) {
+    double highest = 0.0;
+    for (const FlowPoint& p : points) highest = std::max(highest, p.viscosity);
+    if (points.empty() || eta_inf < highest) return;
+    throw UsageError("--eta-inf: got " + lab_text(eta_inf, Dimension::viscosity) +
+                         ", which no point reaches: the highest viscosity measured is " +
+                         lab_text(highest, Dimension::viscosity, 4) +
+                         "; it must lie below them all, or leave it out",
+                     "--eta-inf");
+}
+
 }  // namespace
 
 double FitPoint::residual() const {
@@ -133,6 +145,7 @@ FitAnswer answer_fit(const FitQuestion& question, RheometerData data) {
     for (const FitPoint& p : answer.points) {
         points.push_back({.rate = p.rate, .viscosity = p.measured, .weight = p.weight});
     }
+    require_below_points(question.eta_inf, points);
     try {
         answer.fit = fit_flow_curve(points, {.eta_inf = question.eta_inf});
     } catch (const UsageError& e) {
@@ -176,21 +189,6 @@ double fit_rounded(double value, int digits) {
     const int shift = digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(value))));
     const double scale = std::pow(10.0, std::abs(shift));
     return shift >= 0 ? std::round(value * scale) / scale : std::round(value / scale) * scale;
-}
-
-std::string fit_options_line(const FitAnswer& answer) {
-    const auto option = [](std::string_view name, double value, std::string_view unit) {
-        return std::string(name) + " " + format_shortest(fit_rounded(value)) + std::string(unit);
-    };
-    const LawFit& fit = answer.chosen;
-    if (fit.choice.law == FittedLaw::newtonian) {
-        return option("--eta0", 2.0 * fit.parameters.front().value, "Pa.s") + " --alpha 0";
-    }
-    if (fit.choice.law != FittedLaw::cross) return {};
-    std::string line = option("--eta0", fit.find("eta0")->value, "Pa.s");
-    if (fit.eta_inf > 0.0) line += " " + option("--eta-inf", fit.eta_inf, "Pa.s");
-    return line + " " + option("-K", fit.find("time_constant")->value, "s") + " " +
-           option("--alpha", fit.find("alpha")->value, "");
 }
 
 std::string fit_csv(const FitAnswer& answer) {

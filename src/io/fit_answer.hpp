@@ -68,7 +68,7 @@ std::string fit_preset_text(const FitAnswer& answer);
 /// @throws UsageError  there is none
 std::string fit_values_text(const FitAnswer& answer, const std::vector<std::string>& paths);
 
-/// The ink as options of a prediction: "--eta0 10Pa.s -K 0.05s --alpha 0.75".
+/// The ink as options of a prediction, whatever its law: "--eta0 10Pa.s -K 0.05s --alpha 0.75".
 std::string fit_options_line(const FitAnswer& answer);
 
 /// The points, used and not, with fit and residual: RFC 4180.

@@ -29,13 +29,7 @@ Json parameter_object(const FittedParameter& p) {
             {"determined", p.determined}};
 }
 
-Json law_object(const LawFit& fit, double best_aicc) {
-    Json parameters = Json::object();
-    Json names = Json::array();
-    for (const FittedParameter& p : fit.parameters) {
-        parameters[std::string(p.name)] = parameter_object(p);
-        names.push_back(p.name);
-    }
+Json correlation_rows(const LawFit& fit) {
     Json matrix = Json::array();
     const std::size_t n = fit.parameters.size();
     for (std::size_t i = 0; i < n; ++i) {
@@ -43,11 +37,21 @@ Json law_object(const LawFit& fit, double best_aicc) {
         for (std::size_t j = 0; j < n; ++j) row.push_back(number(fit.correlation[i * n + j]));
         matrix.push_back(std::move(row));
     }
+    return matrix;
+}
+
+Json law_object(const LawFit& fit, double best_aicc) {
+    Json parameters = Json::object();
+    Json names = Json::array();
+    for (const FittedParameter& p : fit.parameters) {
+        parameters[std::string(p.name)] = parameter_object(p);
+        names.push_back(p.name);
+    }
     return {{"law", law_title(fit.choice)},
             {"eta_inf", number(fit.eta_inf)},
             {"eta_inf_fitted", fit.choice.fit_eta_inf},
             {"parameters", std::move(parameters)},
-            {"correlation", {{"names", std::move(names)}, {"matrix", std::move(matrix)}}},
+            {"correlation", {{"names", std::move(names)}, {"matrix", correlation_rows(fit)}}},
             {"scatter", number(fit.scatter)},
             {"aic", number(fit.aic)},
             {"aicc", fit.aicc ? number(*fit.aicc) : Json(nullptr)},
@@ -107,23 +111,24 @@ Json points_object(const FitAnswer& answer) {
 
 Json preset_value(double value, const std::optional<double>& error, std::string_view unit) {
     Json entry = {{"value", fit_rounded(value)}, {"unit", unit}};
-    if (error && std::isfinite(*error)) entry["sd"] = fit_rounded(*error, 3);
+    if (error && std::isfinite(*error)) entry["sd"] = fit_rounded(*error);
     return entry;
 }
 
 /// A Newtonian fluid as the Cross law has it: alpha 0, whose viscosity is half of eta0.
 Json newtonian_parameters(const FittedParameter& eta) {
     return {{"eta0", preset_value(2.0 * eta.value, 2.0 * eta.standard_error, "Pa.s")},
-            {"time_constant", preset_value(1.0, {}, "s")},
-            {"alpha", preset_value(0.0, {}, "1")}};
+            {"time_constant", preset_value(1.0, 0.0, "s")},
+            {"alpha", preset_value(0.0, 0.0, "1")}};
 }
 
 Json preset_parameters(const LawFit& fit) {
     if (fit.choice.law == FittedLaw::newtonian) return newtonian_parameters(fit.parameters.front());
     Json parameters = Json::object();
     for (const FittedParameter& p : fit.parameters) {
-        parameters[std::string(p.name)] = preset_value(
-            p.value, p.determined ? std::optional(p.standard_error) : std::nullopt, fit_unit(p.name));
+        Json& entry = parameters[std::string(p.name)];
+        entry = preset_value(p.value, p.standard_error, fit_unit(p.name));
+        if (!p.determined) entry["determined"] = false;
     }
     if (!fit.choice.fit_eta_inf && fit.eta_inf > 0.0) {
         parameters["eta_inf"] = preset_value(fit.eta_inf, {}, "Pa.s");
@@ -152,6 +157,12 @@ Json fit_preset(const FitAnswer& answer) {
     const FittedLaw law = answer.chosen.choice.law;
     if (law != FittedLaw::cross && law != FittedLaw::newtonian) preset["law"] = law_name(law);
     preset["parameters"] = preset_parameters(answer.chosen);
+    if (const LawFit& fit = answer.chosen; fit.parameters.size() > 1) {
+        Json names = Json::array();
+        for (const FittedParameter& p : fit.parameters) names.push_back(p.name);
+        // Every digit: of parameters that hardly differ in what they do, the last ones count.
+        preset["correlation"] = {{"parameters", std::move(names)}, {"matrix", correlation_rows(fit)}};
+    }
     preset["shear_rate_range"] = {
         {"min", fit_rounded(answer.rate_low)}, {"max", fit_rounded(answer.rate_high)}, {"unit", "1/s"}};
     const bool all = std::all_of(answer.chosen.parameters.begin(), answer.chosen.parameters.end(),
@@ -171,14 +182,13 @@ Json fit_object(const FitAnswer& answer) {
     for (const Warning& warning : answer.warnings) {
         warnings.push_back({{"code", warning.code}, {"message", warning.message}});
     }
-    const std::string options = fit_options_line(answer);
     return {{"schema", fit_schema_name},
             {"program", {{"name", program_name}, {"version", program_version()}}},
             {"data", data_object(answer)},
             {"fit", law_object(answer.chosen, best_aicc)},
             {"laws", std::move(laws)},
             {"points", points_object(answer)},
-            {"options", options.empty() ? Json(nullptr) : Json(options)},
+            {"options", fit_options_line(answer)},
             {"preset", fit_preset(answer)},
             {"warnings", std::move(warnings)}};
 }

@@ -156,14 +156,26 @@ std::string laws_section(const FitAnswer& answer, TableStyle style) {
            table_grid(rows, 1);
 }
 
+/// A call that a shell takes as it is pasted: where it is too long it goes on after a backslash.
+std::string call_line(std::string call) {
+    constexpr std::size_t width = 76;
+    constexpr std::string_view turn = " \\\n    ";
+    for (std::size_t begin = 0; call.size() - begin > width;) {
+        const std::size_t at = call.rfind(" -", begin + width - turn.size());
+        if (at == std::string::npos || at <= begin) break;
+        call.replace(at, 1, turn);
+        begin = at + turn.size() - 1;
+    }
+    return call;
+}
+
 }  // namespace
 
 std::string fit_table(const FitAnswer& answer, TableStyle style) {
     std::string text =
         data_section(answer, style) + parameters_section(answer.chosen, style) + laws_section(answer, style);
-    const std::string options = fit_options_line(answer);
-    text += "\n" + table_heading("To predict with it", style);
-    if (!options.empty()) text += "  bioprint-predict " + options + "\n";
+    text += "\n" + table_heading("To predict with it", style) + "  " +
+            call_line("bioprint-predict " + fit_options_line(answer)) + "\n";
     text += "  or as a preset: --preset ink.json, then bioprint-predict --ink ./ink.json\n";
     if (answer.warnings.empty() || style.quiet) return text;
     text += "\n" + table_heading("Notes", style);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "bioprint/io/number_format.hpp"
@@ -12,6 +13,7 @@ namespace {
 
 /// Differences of AICc from which on a law is practically ruled out (Burnham and Anderson 2002, section 2.6).
 constexpr double ruled_out = 10.0;
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 bool open(const LawFit& fit, std::string_view name) {
     const FittedParameter* const p = fit.find(name);
@@ -23,6 +25,56 @@ bool no_thinning(const FitAnswer& answer) {
     const LawFit* const constant = answer.fit.find({FittedLaw::newtonian, false});
     return constant != nullptr && constant->aicc && answer.chosen.aicc &&
            *constant->aicc <= *answer.chosen.aicc + 2.0;
+}
+
+/// Whether another law is so much better that this one's parameters mean little.
+bool ruled_out_by_best(const FitAnswer& answer) {
+    const LawFit& fit = answer.chosen;
+    const LawFit& best = answer.fit.laws.front();
+    return fit.aicc && best.aicc && *fit.aicc - *best.aicc > ruled_out && best.scatter < 0.95 * fit.scatter;
+}
+
+/// Why the bend of a law is not determined, and what helps.
+std::string cause(const FitAnswer& answer) {
+    constexpr double hardly_thinned = 0.2;  // of the largest viscosity, at the end of the points
+    constexpr double large_scatter = 0.1;
+    if (ruled_out_by_best(answer)) {
+        return "this law does not describe the points, which scatter by " +
+               percent_text(answer.chosen.scatter) + " around it; fit the one that does";
+    }
+    double low = infinity;
+    double high = 0.0;
+    for (const FitPoint& p : answer.points) {
+        if (!p.used) continue;
+        low = std::min(low, p.fitted);
+        high = std::max(high, p.fitted);
+    }
+    if (low > hardly_thinned * high) {
+        return "too little of the thinning branch is measured; measure at higher rates, or fit a law of "
+               "fewer "
+               "parameters";
+    }
+    if (answer.chosen.scatter > large_scatter) {
+        return "the points scatter by " + percent_text(answer.chosen.scatter) +
+               ", too much to tell; measure again, and more points";
+    }
+    return "within the scatter of " + percent_text(answer.chosen.scatter) +
+           " one can stand in for another; measure more points around the bend, or fit a law of fewer "
+           "parameters";
+}
+
+/// The flow index of the power law where the viscosity rises with the rate, beyond doubt.
+std::optional<double> thickening(const FitAnswer& answer) {
+    const LawFit* const power = answer.fit.find({FittedLaw::power_law, false});
+    const LawFit* const constant = answer.fit.find({FittedLaw::newtonian, false});
+    if (power == nullptr || constant == nullptr || !power->aicc || !constant->aicc) return {};
+    const FittedParameter& index = *power->find("flow_index");
+    if (index.low <= 1.0 || *power->aicc > *constant->aicc - 2.0) return {};
+    return index.value;
+}
+
+bool can_thicken(FittedLaw law) {
+    return law == FittedLaw::power_law || law == FittedLaw::herschel_bulkley;
 }
 
 Warning undetermined(const FitAnswer& answer, std::vector<std::string>& named) {
@@ -58,12 +110,8 @@ Warning undetermined(const FitAnswer& answer, std::vector<std::string>& named) {
             named.emplace_back(name);
             list += (list.empty() ? "" : ", ") + std::string(shown);
         }
-        return {
-            .code = "not_determined",
-            .message =
-                "the data do not determine " + list +
-                ": too little of the thinning branch is measured; measure at higher rates, or fit a law of "
-                "fewer parameters"};
+        return {.code = "not_determined",
+                .message = "the data do not determine " + list + ": " + cause(answer)};
     }
     return {};
 }
@@ -71,6 +119,14 @@ Warning undetermined(const FitAnswer& answer, std::vector<std::string>& named) {
 void add_undetermined(const FitAnswer& answer, std::vector<Warning>& warnings) {
     const LawFit& fit = answer.chosen;
     std::vector<std::string> named;
+    if (const std::optional<double> index = thickening(answer); index && !can_thicken(fit.choice.law)) {
+        warnings.push_back(
+            {.code = "thickening",
+             .message = "the ink thickens: its viscosity rises with the shear rate (by the power law n = " +
+                        bare_text(*index, 3) + "), which the " + std::string(law_name(fit.choice.law)) +
+                        " law cannot; use --law power-law"});
+        return;
+    }
     if (fit.choice.law != FittedLaw::newtonian && no_thinning(answer)) {
         const LawFit& constant = *answer.fit.find({FittedLaw::newtonian, false});
         const FittedParameter& eta = constant.parameters.front();
@@ -137,7 +193,7 @@ std::vector<Warning> fit_warnings(const FitAnswer& answer) {
     add_undetermined(answer, warnings);
     const LawFit& fit = answer.chosen;
     const LawFit& best = answer.fit.laws.front();
-    if (fit.aicc && best.aicc && *fit.aicc - *best.aicc > ruled_out && best.scatter < 0.95 * fit.scatter) {
+    if (ruled_out_by_best(answer)) {
         warnings.push_back({.code = "other_law",
                             .message = "the " + std::string(law_name(best.choice.law)) + " law" +
                                        (best.choice.fit_eta_inf ? " with eta_inf" : "") +
@@ -146,6 +202,17 @@ std::vector<Warning> fit_warnings(const FitAnswer& answer) {
                                        percent_text(fit.scatter) + "; see the comparison, --law " +
                                        std::string(law_name(best.choice.law)) +
                                        (best.choice.fit_eta_inf ? " --eta-inf fit" : "")});
+    }
+    const auto lowest = std::min_element(
+        answer.points.begin(), answer.points.end(), [](const FitPoint& a, const FitPoint& b) {
+            return (a.used ? a.measured : infinity) < (b.used ? b.measured : infinity);
+        });
+    if (!fit.choice.fit_eta_inf && lowest != answer.points.end() && fit.eta_inf > lowest->measured) {
+        warnings.push_back({.code = "eta_inf_above_points",
+                            .message = "eta_inf is held at " + lab_text(fit.eta_inf, Dimension::viscosity) +
+                                       ", above the lowest viscosity measured, " +
+                                       lab_text(lowest->measured, Dimension::viscosity, 3) +
+                                       ": the law cannot reach those points; give less, or --eta-inf fit"});
     }
     const auto n = static_cast<double>(answer.fit.points_used);
     // Scattered residuals correlate by 1/sqrt(n) by chance; three times that is no chance.

@@ -128,7 +128,7 @@ void overlay(Law& law, const Settings& settings, bool complete, Problems& proble
 /// What to start from: the preset, or for a law of the user's own nothing.
 struct Start {
     InkChoice ink;
-    bool complete;
+    const InkPreset* preset;  ///< none: a blank law
 };
 
 Start start_of(const Settings& settings) {
@@ -138,9 +138,9 @@ Start start_of(const Settings& settings) {
     const InkPreset& preset = preset_of(named ? ink : "alginate-2.5");
     InkChoice of_preset{.name = preset.name, .source = preset.source, .law = preset.ink};
     const bool with_law = settings.has(Key::law);
-    if (!with_law && (named || ink.empty())) return {.ink = std::move(of_preset), .complete = true};
+    if (!with_law && (named || ink.empty())) return {.ink = std::move(of_preset), .preset = &preset};
     Ink law = blank_law(with_law ? settings.at(Key::law).text : ink);
-    if (law.index() == preset.ink.index()) return {.ink = std::move(of_preset), .complete = true};
+    if (law.index() == preset.ink.index()) return {.ink = std::move(of_preset), .preset = &preset};
     const std::string name(law_name(law));
     if (named) {
         throw UsageError("--law: the ink " + preset.name + " follows the " +
@@ -148,20 +148,25 @@ Start start_of(const Settings& settings) {
                              "; leave out --ink or --law",
                          "--law");
     }
-    return {.ink = {.name = name, .source = "law given", .law = law}, .complete = false};
+    return {.ink = {.name = name, .source = "law given", .law = law}, .preset = nullptr};
 }
 
 }  // namespace
 
 InkChoice ink_choice(const Settings& settings) {
-    auto [ink, complete] = start_of(settings);
+    auto [ink, preset] = start_of(settings);
     Problems problems;
-    std::visit([&, complete = complete](auto& law) { overlay(law, settings, complete, problems); }, ink.law);
+    const bool complete = preset != nullptr;
+    std::visit([&](auto& law) { overlay(law, settings, complete, problems); }, ink.law);
     problems.raise();
     for (const Key key : parameters) {
         if (settings.has(key)) ink.source += "; " + std::string(info_of(key).option) + " given";
     }
     return ink;
+}
+
+const InkPreset* ink_preset(const Settings& settings) {
+    return start_of(settings).preset;
 }
 
 }  // namespace bioprint

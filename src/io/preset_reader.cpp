@@ -11,6 +11,7 @@
 #include "bioprint/io/quantity.hpp"
 #include "io/json_lines.hpp"
 #include "io/text.hpp"
+#include "numerics/correlation.hpp"
 
 namespace bioprint {
 
@@ -21,6 +22,7 @@ using PlainJson = nlohmann::json;
 struct Value {
     double value;
     std::optional<double> sd;
+    bool determined = true;
 };
 
 enum class Sign { positive, not_negative };
@@ -84,6 +86,28 @@ class Node {
         return json_[key].get<double>();
     }
 
+    [[nodiscard]] bool truth(const char* key, bool otherwise) const {
+        if (!has(key)) return otherwise;
+        if (!json_[key].is_boolean()) fail(key, "is neither true nor false");
+        return json_[key].get<bool>();
+    }
+
+    /// A square matrix by rows.
+    [[nodiscard]] std::vector<double> matrix(const char* key, std::size_t size) const {
+        const std::string shape =
+            "is not a list of " + std::to_string(size) + " rows of " + std::to_string(size) + " numbers";
+        std::vector<double> numbers;
+        if (!has(key) || !json_[key].is_array() || json_[key].size() != size) fail(key, shape);
+        for (const PlainJson& row : json_[key]) {
+            if (!row.is_array() || row.size() != size) fail(key, shape);
+            for (const PlainJson& entry : row) {
+                if (!entry.is_number()) fail(key, shape);
+                numbers.push_back(entry.get<double>());
+            }
+        }
+        return numbers;
+    }
+
     /// {"value": …, "unit": …, "sd": …}, a text with a unit, or a number in SI.
     [[nodiscard]] std::optional<Value> quantity(const char* key, Dimension dimension, Sign sign) const {
         if (!has(key)) return {};
@@ -95,11 +119,12 @@ class Node {
             result.value = json.get<double>();
         } else {
             const Node node = object(key);
-            node.allow_only({"value", "unit", "sd", "tolerance"});
+            node.allow_only({"value", "unit", "sd", "tolerance", "determined"});
             result.value = node.with_unit("value", dimension);
             const char* spread = node.has("tolerance") ? "tolerance" : "sd";
             if (node.has(spread)) result.sd = node.with_unit(spread, dimension);
             if (result.sd && *result.sd < 0.0) node.fail(spread, "is negative");
+            result.determined = node.truth("determined", true);
         }
         if (result.value < 0.0 || (sign == Sign::positive && result.value == 0.0)) {
             fail(key, sign == Sign::positive ? "must be greater than 0" : "must not be negative");
@@ -138,81 +163,116 @@ Value required(const Node& node, const char* key, Dimension dimension, Sign sign
     return *value;
 }
 
-/// The parameters of one law, into the preset.
-void read_cross(const Node& parameters, InkPreset& preset) {
+/// Reads the parameters of a law, one after the other, and keeps the spreads they state.
+class LawReader {
+  public:
+    LawReader(const Node& parameters, InkPreset& preset) : parameters_(parameters), preset_(preset) {}
+
+    double required(const char* key, Dimension dimension, Sign sign) {
+        return kept(key, bioprint::required(parameters_, key, dimension, sign));
+    }
+    double optional(const char* key, Dimension dimension, Sign sign, double otherwise) {
+        const auto value = parameters_.quantity(key, dimension, sign);
+        return value ? kept(key, *value) : otherwise;
+    }
+
+  private:
+    double kept(const char* key, const Value& value) {
+        if (value.sd) preset_.spreads.push_back({.name = key, .sd = *value.sd});
+        if (!value.determined) preset_.undetermined.emplace_back(key);
+        return value.value;
+    }
+
+    const Node& parameters_;
+    InkPreset& preset_;
+};
+
+CrossInk read_cross(const Node& parameters, LawReader read) {
     parameters.allow_only({"eta0", "eta_inf", "time_constant", "alpha"});
-    const Value eta0 = required(parameters, "eta0", Dimension::viscosity, Sign::positive);
-    const auto eta_inf = parameters.quantity("eta_inf", Dimension::viscosity, Sign::not_negative);
-    const Value time_constant = required(parameters, "time_constant", Dimension::time, Sign::positive);
-    const Value alpha = required(parameters, "alpha", Dimension::dimensionless, Sign::not_negative);
-    if (eta_inf && eta_inf->value > eta0.value) parameters.fail("eta_inf", "is larger than eta0");
-    preset.ink = CrossInk{.eta0 = eta0.value,
-                          .eta_inf = eta_inf ? eta_inf->value : 0.0,
-                          .time_constant = time_constant.value,
-                          .alpha = alpha.value};
-    preset.eta0_sd = eta0.sd;
-    preset.eta_inf_sd = eta_inf ? eta_inf->sd : std::nullopt;
-    preset.time_constant_sd = time_constant.sd;
-    preset.alpha_sd = alpha.sd;
-}
-
-void read_power_law(const Node& parameters, InkPreset& preset) {
-    parameters.allow_only({"consistency", "flow_index"});
-    preset.ink = PowerLawInk{
-        .consistency = required(parameters, "consistency", Dimension::consistency, Sign::positive).value,
-        .flow_index = required(parameters, "flow_index", Dimension::dimensionless, Sign::positive).value};
-}
-
-void read_carreau_yasuda(const Node& parameters, InkPreset& preset) {
-    parameters.allow_only({"eta0", "eta_inf", "time_constant", "transition", "flow_index"});
-    const auto eta_inf = parameters.quantity("eta_inf", Dimension::viscosity, Sign::not_negative);
-    const auto transition = parameters.quantity("transition", Dimension::dimensionless, Sign::positive);
-    const CarreauYasudaInk law{
-        .eta0 = required(parameters, "eta0", Dimension::viscosity, Sign::positive).value,
-        .eta_inf = eta_inf ? eta_inf->value : 0.0,
-        .time_constant = required(parameters, "time_constant", Dimension::time, Sign::positive).value,
-        .transition = transition ? transition->value : 2.0,
-        .flow_index = required(parameters, "flow_index", Dimension::dimensionless, Sign::not_negative).value};
+    const CrossInk law{.eta0 = read.required("eta0", Dimension::viscosity, Sign::positive),
+                       .eta_inf = read.optional("eta_inf", Dimension::viscosity, Sign::not_negative, 0.0),
+                       .time_constant = read.required("time_constant", Dimension::time, Sign::positive),
+                       .alpha = read.required("alpha", Dimension::dimensionless, Sign::not_negative)};
     if (law.eta_inf > law.eta0) parameters.fail("eta_inf", "is larger than eta0");
-    preset.ink = law;
+    return law;
 }
 
-void read_herschel_bulkley(const Node& parameters, InkPreset& preset) {
+PowerLawInk read_power_law(const Node& parameters, LawReader read) {
+    parameters.allow_only({"consistency", "flow_index"});
+    return {.consistency = read.required("consistency", Dimension::consistency, Sign::positive),
+            .flow_index = read.required("flow_index", Dimension::dimensionless, Sign::positive)};
+}
+
+CarreauYasudaInk read_carreau_yasuda(const Node& parameters, LawReader read) {
+    parameters.allow_only({"eta0", "eta_inf", "time_constant", "transition", "flow_index"});
+    const CarreauYasudaInk law{
+        .eta0 = read.required("eta0", Dimension::viscosity, Sign::positive),
+        .eta_inf = read.optional("eta_inf", Dimension::viscosity, Sign::not_negative, 0.0),
+        .time_constant = read.required("time_constant", Dimension::time, Sign::positive),
+        .transition = read.optional("transition", Dimension::dimensionless, Sign::positive, 2.0),
+        .flow_index = read.required("flow_index", Dimension::dimensionless, Sign::not_negative)};
+    if (law.eta_inf > law.eta0) parameters.fail("eta_inf", "is larger than eta0");
+    return law;
+}
+
+HerschelBulkleyInk read_herschel_bulkley(const Node& parameters, LawReader read) {
     parameters.allow_only({"yield_stress", "consistency", "flow_index"});
-    preset.ink = HerschelBulkleyInk{
-        .yield_stress = required(parameters, "yield_stress", Dimension::pressure, Sign::not_negative).value,
-        .consistency = required(parameters, "consistency", Dimension::consistency, Sign::positive).value,
-        .flow_index = required(parameters, "flow_index", Dimension::dimensionless, Sign::positive).value};
+    return {.yield_stress = read.required("yield_stress", Dimension::pressure, Sign::not_negative),
+            .consistency = read.required("consistency", Dimension::consistency, Sign::positive),
+            .flow_index = read.required("flow_index", Dimension::dimensionless, Sign::positive)};
 }
 
-void read_law(const Node& node, InkPreset& preset) {
-    const Node parameters = node.object("parameters");
+Ink read_law(const Node& node, const Node& parameters, LawReader read) {
     const std::string law = node.text("law");
-    if (law.empty() || law == "cross") return read_cross(parameters, preset);
-    if (law == "power-law") return read_power_law(parameters, preset);
-    if (law == "carreau-yasuda") return read_carreau_yasuda(parameters, preset);
-    if (law == "herschel-bulkley") return read_herschel_bulkley(parameters, preset);
+    if (law.empty() || law == "cross") return read_cross(parameters, read);
+    if (law == "power-law") return read_power_law(parameters, read);
+    if (law == "carreau-yasuda") return read_carreau_yasuda(parameters, read);
+    if (law == "herschel-bulkley") return read_herschel_bulkley(parameters, read);
     node.fail("law", "must be cross, power-law, carreau-yasuda or herschel-bulkley");
+}
+
+std::optional<ParameterCorrelation> read_correlation(const Node& ink, const Node& parameters) {
+    if (!ink.has("correlation")) return std::nullopt;
+    const Node node = ink.object("correlation");
+    node.allow_only({"parameters", "matrix"});
+    ParameterCorrelation correlation{.parameters = node.texts("parameters"), .matrix = {}};
+    std::vector<std::string>& names = correlation.parameters;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (!parameters.has(names[i].c_str()))
+            node.fail("parameters", "'" + names[i] + "' is none of this ink");
+        if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]) !=
+            names.begin() + static_cast<std::ptrdiff_t>(i)) {
+            node.fail("parameters", "'" + names[i] + "' stands there twice");
+        }
+    }
+    correlation.matrix = node.matrix("matrix", names.size());
+    if (!is_correlation(correlation.matrix, names.size())) {
+        node.fail("matrix",
+                  "is no correlation: it must be symmetric, with 1 on its diagonal and no combination of "
+                  "parameters of negative variance");
+    }
+    return correlation;
 }
 
 InkPreset read_ink(const Node& node) {
     node.allow_only({"name", "aliases", "material", "composition", "temperature", "law", "parameters",
-                     "shear_rate_range", "grade", "source", "note", "schema", "$schema"});
+                     "correlation", "shear_rate_range", "grade", "source", "note", "schema", "$schema"});
     InkPreset preset{.name = node.text("name"),
                      .aliases = node.texts("aliases"),
                      .material = node.text("material"),
                      .composition = node.text("composition"),
                      .temperature = node.temperature(),
                      .ink = {},
-                     .eta0_sd = {},
-                     .eta_inf_sd = {},
-                     .time_constant_sd = {},
-                     .alpha_sd = {},
+                     .spreads = {},
+                     .undetermined = {},
+                     .correlation = {},
                      .shear_rate_range = {},
                      .grade = node.text("grade"),
                      .source = node.text("source"),
                      .note = node.text("note")};
-    read_law(node, preset);
+    const Node parameters = node.object("parameters");
+    preset.ink = read_law(node, parameters, LawReader(parameters, preset));
+    preset.correlation = read_correlation(node, parameters);
     if (preset.name.empty()) node.fail("name", "is missing");
     if (node.has("shear_rate_range")) {
         const Node range = node.object("shear_rate_range");

@@ -130,6 +130,12 @@ std::span<const NozzlePreset> nozzle_presets() {
     return nozzles();
 }
 
+std::optional<double> InkPreset::sd(std::string_view parameter) const {
+    const auto found = std::find_if(spreads.begin(), spreads.end(),
+                                    [&](const ParameterSpread& spread) { return spread.name == parameter; });
+    return found == spreads.end() ? std::nullopt : std::optional(found->sd);
+}
+
 const InkPreset& find_ink(std::string_view name, std::string_view option) {
     return find(inks(), name, option);
 }

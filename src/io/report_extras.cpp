@@ -104,7 +104,10 @@ std::string report_uncertainty(const Json& answer) {
     out += inputs_table(*uncertainty) + html_table({"", "mean", "±", "5 %", "50 %", "95 %", ""}, rows) +
            shares_table(spreads, uncertainty->at("inputs"));
     const std::string advice = measure_better(answer);
-    return advice.empty() ? out : out + "<p>" + html_text(advice) + "</p>\n";
+    if (!advice.empty()) out += "<p>" + html_text(advice) + "</p>\n";
+    for (const std::string& remark : uncertainty_remarks(answer))
+        out += "<p class=\"source\">" + html_text(remark) + "</p>\n";
+    return out;
 }
 
 std::string report_passages(const Json& answer) {

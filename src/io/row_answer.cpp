@@ -28,18 +28,35 @@ RowAnswer answer_row(const std::function<Settings()>& question, const Extras& ex
     return row;
 }
 
-std::string values_line(const RowAnswer& answer, const std::vector<std::string>& paths) {
-    std::string line;
+ValuesLine values_line(const RowAnswer& answer, const std::vector<std::string>& paths) {
+    ValuesLine line;
     for (const std::string& path : paths) {
-        if (!line.empty()) line += '\t';
+        if (!line.text.empty()) line.text += '\t';
         // Every row of a batch may have an id, and none needs one.
-        if (path == "id" ? !answer.object.contains("id") : answer.refused) {
-            line += "null";
-        } else {
-            line += value_text(value_meant(answer.object, path));
-        }
+        const bool none = path == "id" ? !answer.object.contains("id") : answer.refused;
+        const Json* const value = none ? nullptr : value_if_any(answer.object, path);
+        line.text += value != nullptr ? value_text(*value) : "null";
+        if (!answer.refused) line.absent.push_back(value == nullptr && path != "id");
     }
-    return line + '\n';
+    line.text += '\n';
+    return line;
+}
+
+void PathTally::add(const std::vector<bool>& absent) {
+    if (absent.empty()) return;
+    ++rows_;
+    for (std::size_t i = 0; i < absent.size(); ++i) present_[i] = present_[i] || !absent[i];
+}
+
+void PathTally::say(const Sink& notice) const {
+    for (std::size_t i = 0; i < paths_.size() && rows_ > 0; ++i) {
+        if (present_[i]) continue;
+        std::string text = "--get: none of the rows has '" + paths_[i] + "'";
+        if (needs_population(paths_[i])) text += "; add --population";
+        if (paths_[i].starts_with("uncertainty.")) text += "; add --uncertainty";
+        if (paths_[i].starts_with("profile.")) text += "; add --profile";
+        notice(text);
+    }
 }
 
 std::string value_text(const Json& value) {
@@ -105,9 +122,11 @@ RowText RowWriter::answer(const std::function<Settings()>& question, const Json&
 }
 
 RowText RowWriter::written(const RowAnswer& answer) const {
-    RowText row{.text = {}, .refused = answer.refused, .extras = answer.extras};
+    RowText row{.text = {}, .refused = answer.refused, .extras = answer.extras, .absent = {}};
     if (!options_.paths.empty()) {
-        row.text = values_line(answer, options_.paths);
+        ValuesLine line = values_line(answer, options_.paths);
+        row.text = std::move(line.text);
+        row.absent = std::move(line.absent);
     } else if (options_.format == Format::csv) {
         row.text = csv_row(answer.object);
     } else {

@@ -16,6 +16,7 @@ struct RowText {
     std::string text;
     bool refused = false;
     ExtraResults extras;
+    std::vector<bool> absent = {};  ///< as ValuesLine
 };
 
 /// The answer of a row, or the refusal in its place; never throws for what is the row's own fault.
@@ -30,8 +31,29 @@ struct RowAnswer {
 RowAnswer answer_row(const std::function<Settings()>& question, const Extras& extras = {},
                      const std::function<Json(const Settings&)>& answer = {});
 
-/// The values at `paths`, one line, separated by tabs; `null` for a refusal, all but its `id`.
-std::string values_line(const RowAnswer& answer, const std::vector<std::string>& paths);
+/// The values at `paths`, one line, separated by tabs; `null` for what this answer lacks and others may have, and for
+/// a refusal, all but its `id`.
+struct ValuesLine {
+    std::string text;
+    std::vector<bool> absent;  ///< of each path, whether this answer has no such place; empty for a refusal
+};
+/// @throws UsageError  a path that no answer has
+ValuesLine values_line(const RowAnswer& answer, const std::vector<std::string>& paths);
+
+/// Counts over many rows which paths none of them has.
+class PathTally {
+  public:
+    explicit PathTally(const std::vector<std::string>& paths)
+        : paths_(paths), present_(paths.size(), false) {}
+    void add(const std::vector<bool>& absent);
+    /// Says it of each path that no answered row had; nothing where none was answered.
+    void say(const Sink& notice) const;
+
+  private:
+    const std::vector<std::string>& paths_;
+    std::vector<bool> present_;
+    std::size_t rows_ = 0;
+};
 
 /// Rows computed between two writes: enough for all threads, small enough that memory does not grow with the
 /// rows.

@@ -59,8 +59,9 @@ void answer_one(const Settings& row, const RunOptions& options, const Sink& sink
         for (const std::string& path : options.paths) {
             sink(value_text(value_meant(answer, path)) + "\n");
         }
-        for (const Warning& warning : prediction.warnings) {
-            if (warning.message != result.short_of) notice(warning.message);  // the status says that one
+        for (const Json& warning : answer["warnings"]) {
+            const auto& message = warning["message"].get_ref<const std::string&>();
+            if (message != result.short_of) notice(message);  // the status says that one
         }
         return;
     }
@@ -160,6 +161,7 @@ RunResult run_sweep(const Sweep& sweep, const RunOptions& options, const Sink& s
 
     RowWriter writer(options, cell_entries(sweep.fixed()), sweep.fixed().has(Key::population),
                      passage_entries(sweep.fixed()));
+    PathTally paths(options.paths);
     result = options.start;
     result.format = options.format;
     if (writes_head(options, result)) sink(writer.head());
@@ -184,6 +186,7 @@ RunResult run_sweep(const Sweep& sweep, const RunOptions& options, const Sink& s
             sink(writer.placed(texts[i].text, begin + i));
             result.refused += texts[i].refused ? 1 : 0;
             tally.add(texts[i].extras.checks);
+            paths.add(texts[i].absent);
         }
         result.rows += count;
         result.read += count;
@@ -192,6 +195,7 @@ RunResult run_sweep(const Sweep& sweep, const RunOptions& options, const Sink& s
         if (result.interrupted) break;
     }
     if (!(options.keep && result.interrupted)) sink(writer.tail());
+    paths.say(notice);
     result.failed_checks = tally.lines();
     return result;
 }

@@ -38,10 +38,15 @@ RowRange rows_of(const Shard& shard, std::size_t rows) {
     return {.begin = start(shard.piece - 1), .end = start(shard.piece)};
 }
 
+bool can_be_read_twice(const std::string& file) {
+    std::error_code error;
+    return file != "-" && std::filesystem::is_regular_file(file, error);
+}
+
 void require_countable(const std::string& file) {
     std::error_code error;
     if (file != "-" && !std::filesystem::exists(file, error)) return;  // opening it says why
-    if (file == "-" || !std::filesystem::is_regular_file(file, error)) {
+    if (!can_be_read_twice(file)) {
         throw UsageError(
             "--shard: the batch is read twice, once to count its rows; give a file, not a pipe or a stream",
             "--shard");

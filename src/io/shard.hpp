@@ -25,6 +25,9 @@ struct RowRange {
 /// The rows of a piece; the first pieces get one more where they cannot all be alike.
 RowRange rows_of(const Shard& shard, std::size_t rows);
 
+/// True of a file, false of a pipe or a stream.
+bool can_be_read_twice(const std::string& file);
+
 /// Refuses a batch that cannot be read twice, once to count its rows.
 /// @throws UsageError
 void require_countable(const std::string& file);

@@ -15,13 +15,13 @@ namespace {
 constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
 double drawn_number(const Json& answer, const std::string& path) {
-    const Json& value = value_meant(answer, path);
-    if (value.is_null()) return no_value;
-    if (!value.is_number()) {
+    const Json* const value = value_if_any(answer, path);
+    if (value == nullptr || value->is_null()) return no_value;
+    if (!value->is_number()) {
         throw UsageError("--plot: '" + path + "' is no number; draw a path to one, such as nozzle.stress_max",
                          "--plot");
     }
-    return value.get<double>();
+    return value->get<double>();
 }
 
 std::vector<SweepQuantity> default_quantities(bool population) {

@@ -61,12 +61,16 @@ struct Sample {
 
 class Sampling {
   public:
-    Sampling(const Json& answer, const Settings& settings, std::vector<UncertainInput> inputs,
-             std::size_t count)
-        : answer_(answer), settings_(settings), inputs_(std::move(inputs)), samples_(count) {
+    Sampling(const Json& answer, const Settings& settings, UncertainInputs uncertain, std::size_t count)
+        : answer_(answer),
+          settings_(settings),
+          uncertain_(std::move(uncertain)),
+          inputs_(uncertain_.inputs),
+          samples_(count) {
         const std::vector<double> points = sobol_points(inputs_.size(), count);
         normals_.resize(points.size());
         std::transform(points.begin(), points.end(), normals_.begin(), normal_quantile);
+        if (!uncertain_.mixing.empty()) mix();
         const Case asked = settings.make_case();
         if (asked.positions.empty()) {
             for (const Json& offset : answer.at("input").at("offsets")) {
@@ -98,6 +102,9 @@ class Sampling {
         result["failure"] = failure().empty() ? Json(nullptr) : Json(failure());
         result["inputs"] = Json::array();
         for (const UncertainInput& input : inputs_) result["inputs"].push_back(input_object(input));
+        result["correlation"] = correlation_object();
+        result["held"] = Json::array();
+        for (const Key key : uncertain_.held) result["held"].push_back(info_of(key).option);
         std::size_t next = 0;
         for (const char* const section : sections) {
             if (answer_.contains(section)) result[section] = *mirrored(answer_[section], next);
@@ -106,6 +113,42 @@ class Sampling {
     }
 
   private:
+    /// Independent normals become those of the inputs.
+    void mix() {
+        const std::size_t n = inputs_.size();
+        std::vector<double> own(n);
+        for (std::size_t point = 0; point < normals_.size(); point += n) {
+            for (std::size_t i = 0; i < n; ++i) {
+                own[i] = 0.0;
+                for (std::size_t j = 0; j <= i; ++j)
+                    own[i] += uncertain_.mixing[i * n + j] * normals_[point + j];
+            }
+            std::copy(own.begin(), own.end(), normals_.begin() + static_cast<std::ptrdiff_t>(point));
+        }
+        mixed_.assign(n, false);
+        for (std::size_t i = 0; i < n; ++i) {
+            for (std::size_t j = 0; j < n; ++j)
+                mixed_[i] = mixed_[i] || (i != j && uncertain_.correlation(i, j) != 0.0);
+        }
+    }
+
+    /// Of the inputs that vary together; null where none do.
+    [[nodiscard]] Json correlation_object() const {
+        Json names = Json::array();
+        Json matrix = Json::array();
+        for (std::size_t i = 0; i < inputs_.size(); ++i) {
+            if (mixed_.empty() || !mixed_[i]) continue;
+            names.push_back(info_of(inputs_[i].key).option);
+            Json row = Json::array();
+            for (std::size_t j = 0; j < inputs_.size(); ++j) {
+                if (mixed_[j]) row.push_back(i == j ? 1.0 : uncertain_.correlation(i, j));
+            }
+            matrix.push_back(std::move(row));
+        }
+        if (names.empty()) return nullptr;
+        return {{"names", std::move(names)}, {"matrix", std::move(matrix)}};
+    }
+
     [[nodiscard]] Sample sample(std::size_t index) const {
         Sample result;
         try {
@@ -174,7 +217,7 @@ class Sampling {
             normals.insert(normals.end(), begin, begin + static_cast<std::ptrdiff_t>(inputs_.size()));
         }
         if (values.empty()) return nullptr;
-        const SampleStatistics s = sample_statistics(values, normals, inputs_.size());
+        const SampleStatistics s = sample_statistics(values, normals, inputs_.size(), mixed_);
         Json object;
         object["mean"] = s.mean;
         object["standard_deviation"] = s.standard_deviation;
@@ -192,9 +235,11 @@ class Sampling {
 
     const Json& answer_;
     const Settings& settings_;
-    std::vector<UncertainInput> inputs_;
-    std::vector<double> normals_;
-    std::vector<double> radii_;  ///< the usual positions; empty when they were given
+    UncertainInputs uncertain_;
+    const std::vector<UncertainInput>& inputs_;
+    std::vector<double> normals_;  ///< of the inputs, point by point
+    std::vector<bool> mixed_;      ///< inputs that vary with others; empty: none do
+    std::vector<double> radii_;    ///< the usual positions; empty when they were given
     std::vector<Sample> samples_;
 };
 
@@ -202,10 +247,15 @@ class Sampling {
 
 void add_uncertainty(Json& answer, const Settings& settings, const UncertaintyRequest& request,
                      unsigned jobs) {
-    std::vector<UncertainInput> inputs = uncertain_inputs(settings, answer, request.presets);
-    if (inputs.empty()) {
-        throw UsageError("--uncertainty: no input has a spread; give one, such as --alpha 0.75±0.05",
-                         "--uncertainty");
+    UncertainInputs inputs = uncertain_inputs(settings, answer, request.presets);
+    if (inputs.inputs.empty()) {
+        const std::string why = inputs.held_why.empty() ? "" : " (" + inputs.held_why + ")";
+        throw UsageError(
+            "--uncertainty: no input has a spread" + why + "; give one, such as --radius 50um±1um",
+            "--uncertainty");
+    }
+    if (!inputs.held_why.empty()) {
+        answer["warnings"].push_back({{"code", "undetermined_ink"}, {"message", inputs.held_why}});
     }
     const std::size_t usual = answer.contains("population") ? population_samples : usual_samples;
     Sampling sampling(answer, settings, std::move(inputs), request.samples.value_or(usual));

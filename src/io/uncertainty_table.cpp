@@ -40,6 +40,15 @@ std::string inputs_line(const Json& input) {
     return text + " (" + input.at("distribution").get<std::string>() + ")\n";
 }
 
+/// "eta0, time-constant and alpha".
+std::string joined(const Json& names) {
+    std::string list;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        list += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i].get<std::string>();
+    }
+    return list;
+}
+
 }  // namespace
 
 const Json* spread_of(const Json& answer, std::string_view path) {
@@ -75,6 +84,8 @@ std::vector<NamedSpread> main_spreads(const Json& answer) {
 }
 
 std::string measure_better(const Json& answer) {
+    const Json& correlation = answer.at("uncertainty").at("correlation");
+    const Json together = correlation.is_null() ? Json::array() : correlation.at("names");
     // For the cell's stress at the exit, or what comes nearest to it.
     for (const Shown& row : {shown[8], shown[7], shown[6], shown[3]}) {
         const Json* const spread = spread_of(answer, row.path);
@@ -82,16 +93,45 @@ std::string measure_better(const Json& answer) {
         const Json& shares = spread->at("first_order");
         std::string best;
         double largest = 0.0;
+        double left = 1.0;
+        std::size_t others = 0;
         for (const auto& item : shares.items()) {
+            if (std::find(together.begin(), together.end(), item.key()) != together.end()) continue;
+            ++others;
+            left -= item.value().get<double>();
             if (item.value().get<double>() <= largest) continue;
             largest = item.value().get<double>();
             best = item.key();
         }
+        const std::string of = "spread of '" + std::string(row.label) + "'";
+        if (!together.empty() && others > 0 && left > largest) {
+            return "The flow curve of the ink (" + joined(together) +
+                   ") makes what the other inputs leave of the " + of + ": " + percent(left);
+        }
         if (shares.size() < 2 || best.empty()) return {};
-        return "Most of the spread of '" + std::string(row.label) + "' is that of " + best + ": " +
-               percent(largest);
+        return "Most of the " + of + " is that of " + best + ": " + percent(largest);
     }
     return {};
+}
+
+std::vector<std::string> uncertainty_remarks(const Json& answer) {
+    std::vector<std::string> remarks;
+    for (const Json& warning : answer.at("warnings")) {
+        if (warning.at("code") == "undetermined_ink")
+            remarks.push_back(warning.at("message").get<std::string>());
+    }
+    const Json& correlation = answer.at("uncertainty").at("correlation");
+    if (correlation.is_null()) return remarks;
+    const Json& names = correlation.at("names");
+    std::string list;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        list += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i].get<std::string>();
+    }
+    remarks.push_back(
+        list +
+        " were fitted together and vary together: a share of theirs is what goes when that input is "
+        "known, with what it then says of the others, so that these shares overlap");
+    return remarks;
 }
 
 std::string uncertainty_section(const Json& answer, TableStyle style) {
@@ -125,6 +165,8 @@ std::string uncertainty_section(const Json& answer, TableStyle style) {
         text += "\n" + table_grid(shares, 1);
         if (const std::string advice = measure_better(answer); !advice.empty()) text += "  " + advice + "\n";
     }
+    for (const std::string& remark : uncertainty_remarks(answer))
+        text += "  " + table_wrapped("- " + remark, 4) + "\n";
     return text;
 }
 

@@ -28,7 +28,7 @@ std::array<double, 4> hermite(double z) {
 }  // namespace
 
 SampleStatistics sample_statistics(std::span<const double> values, std::span<const double> normals,
-                                   std::size_t inputs) {
+                                   std::size_t inputs, const std::vector<bool>& mixed) {
     const auto count = static_cast<double>(values.size());
     SampleStatistics result{.mean = 0.0, .standard_deviation = 0.0, .quantiles = {}, .first_order = {}};
     result.first_order.assign(inputs, 0.0);
@@ -63,7 +63,8 @@ SampleStatistics sample_statistics(std::span<const double> values, std::span<con
                 coefficient[k] += (values[i] / scale - mean) * h[k] / count;
         }
         double explained = 0.0;
-        for (const double c : coefficient) explained += c * c;
+        const std::size_t orders = !mixed.empty() && mixed[input] ? 2 : coefficient.size();
+        for (std::size_t k = 0; k < orders; ++k) explained += coefficient[k] * coefficient[k];
         result.first_order[input] = std::min(1.0, explained / variance);
     }
     return result;

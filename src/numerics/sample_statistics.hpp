@@ -11,6 +11,10 @@
 /// is a function of a standard normal z, E[y | x] is expanded in Hermite polynomials of z, whose coefficients are
 /// averages over the sample: no evaluation beyond the sample's own is needed. The sum of the indices is at most 1;
 /// what it lacks is made by inputs together. Accuracy with 1024 points: 0.01.      tests/unit/numerics/sampling.cpp
+///
+/// Of inputs that depend on each other the index is the same share, which goes when the input is known; it holds what
+/// the others then are known by, so that their indices overlap. The points do not fill those normals' cube as evenly:
+/// the expansion ends at the second order there. Accuracy: 0.02.
 namespace bioprint {
 
 struct SampleStatistics {
@@ -22,7 +26,8 @@ struct SampleStatistics {
 
 /// @param values   at least one, finite
 /// @param normals  the inputs' standard normals, point by point: `inputs` for each value
+/// @param mixed    of each input, whether it depends on others; empty: none does
 SampleStatistics sample_statistics(std::span<const double> values, std::span<const double> normals,
-                                   std::size_t inputs);
+                                   std::size_t inputs, const std::vector<bool>& mixed = {});
 
 }  // namespace bioprint

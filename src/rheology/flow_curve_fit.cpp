@@ -263,7 +263,9 @@ LawFit make_law_fit(const LawModel& law, const LeastSquaresFit& fit, const Resid
         result.parameters.push_back(parameter(law.shapes()[i], logs[i], error, t));
         for (std::size_t j = 0; j < p; ++j) {
             const double c = covariance[i * p + j] / std::sqrt(variance * covariance[j * p + j]);
-            result.correlation[i * p + j] = std::isfinite(c) ? c : 0.0;
+            // Fitted is ln(1 − n), which falls where n rises.
+            const double sign = law.shapes()[i].complement == law.shapes()[j].complement ? 1.0 : -1.0;
+            result.correlation[i * p + j] = std::isfinite(c) ? sign * c : 0.0;
         }
     }
     if (const FittedParameter* const floor = result.find("eta_inf")) result.eta_inf = floor->value;

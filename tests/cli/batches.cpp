@@ -39,6 +39,38 @@ std::string cell(const std::string& table, std::size_t row, const std::string& n
 
 }  // namespace
 
+TEST_CASE("batches: a value that another law or question has is null in the rows without it") {
+    const std::string paths = " --get input.ink.name --get nozzle.plug_radius --model steady";
+    const auto is_good = [](const Outcome& outcome) {
+        CHECK(outcome.status == 0);
+        CHECK(outcome.out.starts_with("ama-25C\t"));
+        CHECK_FALSE(outcome.out.starts_with("ama-25C\tnull"));
+        CHECK(outcome.out.ends_with("\nalginate-2.5\tnull\n"));
+        CHECK_FALSE(contains(outcome.err, "--get"));
+    };
+    const std::string lines = "{\"ink\":\"ama-25C\"}\n{\"ink\":\"alginate-2.5\"}\n";
+    is_good(run("--batch -" + paths, lines));
+    is_good(run("--batch -" + paths, "ink\nama-25C\nalginate-2.5\n"));
+    is_good(run("--ink ama-25C,alginate-2.5" + paths));
+    // As many cells, warnings and spreads as a row has.
+    const Outcome mixed =
+        run("--batch - --model steady --get cells.2.offset --get warnings.3.code --get uncertainty.samples",
+            "{\"offset\":\"0,1Rc\",\"alpha\":\"0.5±0.1\"}\n{\"offset\":\"0\"}\n");
+    CHECK(mixed.status == 0);
+    CHECK(contains(mixed.out, "8e-06\tnull\t1024\nnull\tnull\tnull\n"));
+    CHECK(contains(mixed.err, "--get: none of the rows has 'warnings.3.code'"));
+    // Nobody's place is a mistake, and what no row was asked for is said.
+    for (const std::string& rows : {std::string("--batch -"), std::string("--alpha 0.5,0.6")}) {
+        const Outcome mistaken = run(rows + " --get nozzle.plug_radios", "alpha\n0.5\n");
+        CHECK(mistaken.status == 2);
+        CHECK(contains(mistaken.err, "no value at 'nozzle.plug_radios'"));
+        CHECK(mistaken.out.empty());
+        const Outcome unasked = run(rows + " --get population.p95", "alpha\n0.5\n");
+        CHECK(unasked.status == 0);
+        CHECK(contains(unasked.err, "none of the rows has 'population.p95'; add --population"));
+    }
+}
+
 TEST_CASE("csv batch: the user's columns come back byte for byte with ours behind them") {
     const std::string table =
         "sample,radius,\"flow rate note\",flowrate\n"

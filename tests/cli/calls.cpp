@@ -22,6 +22,42 @@ using bioprint::testing::contains;
 using bioprint::testing::lines;
 using nlohmann::json;
 
+TEST_CASE("calls: no file is written twice or over one that is read") {
+    write_scratch("curve.csv", "rate [1/s],viscosity [Pa.s]\n1,9\n10,5\n100,2\n1000,0.5\n");
+    write_scratch(
+        "mine.json",
+        R"({"name": "mine", "parameters": {"eta0": "10 Pa.s", "time_constant": "1 s", "alpha": 0.5}})");
+    write_scratch("keep.csv", "mine\n");
+    for (const auto& [call, message] :
+         {std::pair{"fit curve.csv --preset curve.csv",
+                    "--preset: would write over 'curve.csv', the file of FILE"},
+          {"fit curve.csv --output ./curve.csv", "--output: would write over 'curve.csv', the file of FILE"},
+          {"fit curve.csv --preset keep.csv",
+           "--preset: got 'keep.csv'; a preset has a name that ends in .json"},
+          {"fit curve.csv --preset new.json -o new.json",
+           "--preset: would write over 'new.json', the file of --output"},
+          {"fit curve.csv -o new.xlsx", "--output: a fit has no workbook"},
+          {"--report keep.csv", "--report: got 'keep.csv'; a report has a name that ends in .html or .htm"},
+          {"--plot same.svg --report same.svg", "--report: would write over 'same.svg', the file of --plot"},
+          {"--output way.csv --history way.csv",
+           "--history: would write over 'way.csv', the file of --output"},
+          {"--ink ./mine.json --json --output mine.json",
+           "--output: would write over './mine.json', the file of --ink"}}) {
+        CAPTURE(call);
+        const Outcome outcome = run(call);
+        CHECK(outcome.status == 2);
+        CHECK(contains(outcome.err, message));
+        CHECK(outcome.out.empty());
+    }
+    CHECK(read_scratch("keep.csv") == "mine\n");
+    CHECK(read_scratch("curve.csv").starts_with("rate"));
+    CHECK_FALSE(scratch_exists("same.svg"));
+    // A batch may take its answers.
+    write_scratch("rows.csv", "alpha\n0.5\n");
+    CHECK(run("-q --batch rows.csv --model steady --output rows.csv").status == 0);
+    CHECK(run("fit -q curve.csv --preset /dev/null").status == 0);
+}
+
 TEST_CASE("command: without options it answers for the reference case") {
     const Outcome outcome = run("");
     CHECK(outcome.status == 0);

@@ -51,6 +51,17 @@ TEST_CASE("check: what is wrong with an expression is a mistake of the call") {
     CHECK(contains(run("--check 'nozzle.stress_max<2s'").err, "a time; it takes a pressure"));
     CHECK(run("--check 'nozzle.stres_max<2'").status == 2);
     CHECK(run("--check nonsense").status == 2);
+    // With a unit behind it a mistaken path is still what has to be mended.
+    for (const char* limit : {"1", "1kPa"}) {
+        const Outcome mistaken = run("--check 'nozzle.stres_max<" + std::string(limit) + "'");
+        CHECK(mistaken.status == 2);
+        CHECK(contains(mistaken.err, "--check: no value at 'nozzle.stres_max'"));
+        CHECK_FALSE(contains(mistaken.err, "plain number"));
+    }
+    CHECK(contains(run("--check 'cells.exit.stress<1kPa'").err, "'cells.exit.stress' is not one value"));
+    CHECK(contains(run("--check 'input.ink.name<1kPa'").err, "'input.ink.name' is a text"));
+    CHECK(contains(run("--check '2kPa>=nozzle.stress_max'").err,
+                   "the path stands on the left: 'nozzle.stress_max<=2kPa'"));
     CHECK(run("--check 'simulation.simulated.von_mises_peak<2kPa'").status == 2);
     CHECK(run("--alpha 0,0.5 --check 'nozzle.stres_max<2' --json").status == 2);
 }

@@ -74,7 +74,13 @@ TEST_CASE("design: what is wrong with the question is told at once") {
     CHECK(contains(outcome.err, "--solve: got 'colour'; it takes radius, flowrate"));
     CHECK(contains(outcome.err, "a time; it takes a pressure"));
     CHECK(run("design --solve flowrate").status == 2);
-    CHECK(run("design --limit 'nozzle.stress_max<2kPa'").status == 2);
+    CHECK(contains(run("design --limit 'nozzle.stress_max<2kPa'").err,
+                   "radius, flowrate, velocity, pressure, pressure-gradient or alpha"));
+    const Outcome spread = run(
+        "design --solve velocity --uncertainty --limit 'uncertainty.nozzle.stress_max.percentile_95<600Pa'");
+    CHECK(spread.status == 2);
+    CHECK(contains(spread.err, "a design sets no limit on a spread"));
+    CHECK(run("design --solve velocity --limit 'simulation.simulated.von_mises_peak<1kPa'").status == 2);
     CHECK(run("design --solve radius --limit 'nozzle.stress_max<2kPa' --needle 25G").status == 2);
     CHECK(run("design --solve flowrate --limit 'nozzle.stress_max<2kPa' --velocity 5mm/s").status == 2);
     CHECK(run("design --solve flowrate --limit 'nozzle.stress_max<2kPa' --alpha 0,0.5").status == 2);

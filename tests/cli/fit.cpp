@@ -73,6 +73,41 @@ TEST_CASE("fit command: the line of options and the preset give the same predict
     CHECK(schema_violations(shelf, "inks").empty());
 }
 
+TEST_CASE("fit command: a law of any kind is given as options and they predict what the preset does") {
+    const double k = 20.0;
+    const auto viscosity = [&](const std::string& law, double rate) {
+        if (law == "power-law") return k * std::pow(rate, -0.5);
+        if (law == "herschel-bulkley") return 12.0 / rate + k * std::pow(rate, -0.5);
+        return 0.02 + 50.0 * std::pow(1.0 + std::pow(0.5 * rate, 1.5), -0.4);
+    };
+    for (const auto& [law, extra, expected] :
+         {std::tuple{std::string("power-law"), "", "--law power-law --consistency "},
+          {std::string("herschel-bulkley"), "", "--law herschel-bulkley --yield-stress "},
+          {std::string("carreau-yasuda"), " --eta-inf fit", "--law carreau-yasuda --eta0 "},
+          {std::string("carreau-yasuda"), " --eta-inf 0.02", "--law carreau-yasuda --eta0 "}}) {
+        CAPTURE(law);
+        std::vector<ExportPoint> points = curve(0.01, 1000.0, 31);
+        for (std::size_t i = 0; i < points.size(); ++i)
+            points[i].viscosity = viscosity(law, points[i].rate) * std::exp(scatter(static_cast<int>(i)));
+        write_scratch("law.csv", rheometer_export(ExportKind::plain_named, points));
+        const std::string fit = "fit -q law.csv --law " + law + extra;
+        std::string options = run(fit + " --preset law.json --get options").out;
+        REQUIRE(options.starts_with(expected));
+        options.pop_back();
+        const std::string path = " -q --get input.ink.law --get nozzle.pressure_gradient";
+        const Outcome by_options = run(options + path);
+        CHECK(by_options.status == 0);
+        CHECK(by_options.out.starts_with(law));
+        CHECK(by_options.out == run("--ink ./law.json" + path).out);
+        // The table's line is as a shell takes it, broken by a backslash or not.
+        const std::string table = run(fit).out;
+        const std::size_t at = table.find("  bioprint-predict ");
+        REQUIRE(at != std::string::npos);
+        const std::string call = table.substr(at + 19, table.find("\n  or as", at) - at - 19);
+        CHECK(run(call + path).out == by_options.out);
+    }
+}
+
 TEST_CASE("fit command: the table for a person is within 80 columns and says what was read") {
     write_scratch("curve.txt", rheometer_export(ExportKind::trios, curve(0.01, 1000.0, 26)));
     const Outcome outcome = run("fit curve.txt");
@@ -115,6 +150,48 @@ TEST_CASE("fit command: what the data leave open is said") {
     write_scratch("yield.txt", rheometer_export(ExportKind::plain_named, yielding));
     CHECK(contains(run("fit yield.txt").out, "herschel-bulkley law describes these points better"));
     CHECK(run("fit yield.txt -q --law best --get fit.law").out == "herschel-bulkley\n");
+}
+
+TEST_CASE("fit command: what leaves a parameter open is called by its name") {
+    const auto notes = [](const std::string& call, double (*viscosity)(double), double error) {
+        std::vector<ExportPoint> points = curve(0.01, 1000.0, 31);
+        for (std::size_t i = 0; i < points.size(); ++i)
+            points[i].viscosity =
+                viscosity(points[i].rate) * std::exp(100.0 * error * scatter(static_cast<int>(i)));
+        write_scratch("open.csv", rheometer_export(ExportKind::plain_named, points));
+        const Outcome outcome = run("fit open.csv --json " + call);
+        CHECK(outcome.status == 0);
+        std::string text;
+        const json answer = json::parse(outcome.out);
+        for (const json& warning : answer["warnings"])
+            text += warning["code"].get<std::string>() + ": " + warning["message"].get<std::string>() + "\n";
+        return text;
+    };
+    // Thickening is no Newtonian ink.
+    const auto thick = [](double rate) { return std::pow(rate, 0.3); };
+    const std::string thickening = notes("", thick, 0.02);
+    CHECK(contains(thickening, "thickening: the ink thickens"));
+    CHECK(contains(thickening, "n = 1.3"));
+    CHECK_FALSE(contains(thickening, "Newtonian between"));
+    CHECK_FALSE(contains(notes("--law power-law", thick, 0.02), "thickening"));
+    // Five decades that thin fully: it is the law, or the scatter.
+    const auto floor = [](double rate) { return 0.3 + 50.0 / (1.0 + std::pow(3.0 * rate, 0.9)); };
+    const std::string wrong_law = notes("", floor, 0.02);
+    CHECK(contains(wrong_law,
+                   "not_determined: the data do not determine K: this law does not describe the points"));
+    CHECK_FALSE(contains(wrong_law, "too little of the thinning"));
+    const auto noisy = [](double rate) { return 20.0 / (1.0 + std::pow(0.3 * rate, 0.7)); };
+    const std::string scattered = notes("", noisy, 0.7);
+    CHECK(contains(scattered, "too much to tell"));
+    CHECK_FALSE(contains(scattered, "too little of the thinning"));
+    // Thinning that has only begun.
+    const auto begun = [](double rate) { return 20.0 / (1.0 + std::pow(0.0003 * rate, 0.9)); };
+    CHECK(contains(notes("", begun, 0.02), "too little of the thinning branch is measured"));
+    // A floor above the points.
+    CHECK(contains(notes("--eta-inf 1", floor, 0.02), "eta_inf_above_points: eta_inf is held at 1 Pa s"));
+    const Outcome above = run("fit open.csv --eta-inf 60");
+    CHECK(above.status == 2);
+    CHECK(contains(above.err, "--eta-inf: got 60 Pa s, which no point reaches"));
 }
 
 TEST_CASE("fit command: outliers and bad rows are counted with their lines") {
@@ -166,6 +243,8 @@ TEST_CASE("fit command: wrong calls and files end with one clear line") {
         CHECK(outcome.out.empty());
     }
     CHECK(contains(run("fit --help").out, "--eta-inf"));
+    const std::string help = run("--help").out;
+    CHECK(contains(help.substr(help.find("Subcommands:")), "\n  fit "));
     // Both problems at once.
     const Outcome both = run("fit curve.txt --law x --eta-inf y");
     CHECK(contains(both.err, "--law"));

@@ -1,6 +1,6 @@
 # Checks, designs and uncertainty: units, then the real program.
 bioprint_tests(design
-  SOURCES unit/numerics/boundary.cpp unit/numerics/sampling.cpp unit/io/checks.cpp unit/io/design.cpp unit/io/uncertainty.cpp
+  SOURCES unit/numerics/boundary.cpp unit/numerics/sampling.cpp unit/io/checks.cpp unit/io/design.cpp unit/io/uncertainty.cpp verify/fit_uncertainty.cpp
   LINKS io numerics
   PRIVATE nlohmann_json::nlohmann_json)
 

@@ -21,21 +21,37 @@ struct RateRange {
     double max;  ///< [1/s]
 };
 
+/// How far a parameter of an ink may be off.
+struct ParameterSpread {
+    std::string name;  ///< "eta0", "flow_index", …
+    double sd;         ///< standard deviation [SI]
+};
+
+/// How the errors of parameters that were fitted together hang together: of their logarithms, of Carreau-Yasuda's flow
+/// index of itself. A standard deviation over its value is then that of the logarithm, and the value is the median.
+struct ParameterCorrelation {
+    std::vector<std::string> parameters;
+    std::vector<double> matrix;  ///< by rows
+};
+
 struct InkPreset {
     std::string name;
     std::vector<std::string> aliases;
     std::string material;
     std::string composition;
-    std::optional<double> temperature;       ///< [°C]
-    Ink ink;                                 ///< SI
-    std::optional<double> eta0_sd;           ///< standard deviation [Pa s]; these four of the Cross law
-    std::optional<double> eta_inf_sd;        ///< [Pa s]
-    std::optional<double> time_constant_sd;  ///< [s]
-    std::optional<double> alpha_sd;
+    std::optional<double> temperature;     ///< [°C]
+    Ink ink;                               ///< SI
+    std::vector<ParameterSpread> spreads;  ///< of the parameters whose spread is stated
+    std::vector<std::string>
+        undetermined;  ///< parameters that the data behind it leave open, whatever their sd
+    std::optional<ParameterCorrelation> correlation;
     std::optional<RateRange> shear_rate_range;  ///< the rates it was fitted to
     std::string grade;
     std::string source;
     std::string note;
+
+    /// The standard deviation stated for a parameter of its law, by the name that the file has for it [SI].
+    [[nodiscard]] std::optional<double> sd(std::string_view parameter) const;
 };
 
 /// The wall stress in the nozzle at which a share of the cells survives an exposure.

@@ -198,12 +198,39 @@ TEST_CASE("presets: an unknown gauge or tip is refused with what there is") {
 TEST_CASE("presets: an ink of a file may be written in several ways") {
     const InkPreset preset = read_single_ink(good_ink, "my.json");
     CHECK(cross_law(preset.ink).eta0 == 2000.0);
-    CHECK(preset.eta0_sd == 500.0);
+    CHECK(preset.sd("eta0") == 500.0);
     CHECK(cross_law(preset.ink).time_constant == 0.05);
     CHECK(cross_law(preset.ink).alpha == 0.5);
     CHECK_FALSE(preset.temperature.has_value());
     const auto list = read_single_ink("{\"inks\": [" + std::string(good_ink) + "]}", "my.json");
     CHECK(list.name == "mine");
+}
+
+TEST_CASE("presets: an ink of a file may say how its parameters hang together and what is not determined") {
+    const auto ink = [](const std::string& correlation) {
+        return R"({"name": "mine", "law": "power-law", "parameters": {"consistency": {"value": 3, "unit": "Pa.s^n", "sd": 0.1},
+            "flow_index": {"value": 0.4, "unit": "1", "determined": false}}, "correlation": )" +
+               correlation + "}";
+    };
+    const InkPreset preset = read_single_ink(
+        ink(R"({"parameters": ["flow_index", "consistency"], "matrix": [[1, -0.5], [-0.5, 1]]})"), "my.json");
+    CHECK(preset.undetermined == std::vector<std::string>{"flow_index"});
+    REQUIRE(preset.correlation.has_value());
+    CHECK(preset.correlation->parameters.front() == "flow_index");
+    CHECK(preset.correlation->matrix == std::vector<double>{1.0, -0.5, -0.5, 1.0});
+    const auto problem = [&](const std::string& correlation) {
+        return refusal([&] { read_single_ink(ink(correlation), "my.json"); });
+    };
+    CHECK(problem(R"({"parameters": ["eta0", "consistency"], "matrix": [[1, 0], [0, 1]]})") ==
+          "my.json: correlation.parameters: 'eta0' is none of this ink");
+    CHECK(problem(R"({"parameters": ["consistency", "consistency"], "matrix": [[1, 0], [0, 1]]})") ==
+          "my.json: correlation.parameters: 'consistency' stands there twice");
+    CHECK(problem(R"({"parameters": ["consistency", "flow_index"], "matrix": [[1, 0]]})") ==
+          "my.json: correlation.matrix: is not a list of 2 rows of 2 numbers");
+    CHECK(problem(R"({"parameters": ["consistency", "flow_index"], "matrix": [[1, 2], [2, 1]]})")
+              .find("is no correlation") != std::string::npos);
+    CHECK(problem(R"({"parameters": ["consistency", "flow_index"]})").find("matrix: is not a list") !=
+          std::string::npos);
 }
 
 TEST_CASE("presets: an ink of a file may follow any law") {

@@ -161,7 +161,7 @@ TEST_CASE("uncertainty: presets bring their scatter and what is given exactly ha
     const auto names = [](const Settings& question) {
         std::string all;
         const Json answer = answer_object(predict(question.make_case()));
-        for (const UncertainInput& input : uncertain_inputs(question, answer, true)) {
+        for (const UncertainInput& input : uncertain_inputs(question, answer, true).inputs) {
             all += std::string(info_of(input.key).option) + " ";
         }
         return all;
@@ -171,7 +171,7 @@ TEST_CASE("uncertainty: presets bring their scatter and what is given exactly ha
     CHECK(names(settings({{Key::needle, "25G"}, {Key::tip, "hypodermic"}})) ==
           "radius eta0 time-constant alpha ");
     const Json answer = answer_object(predict(Case(Settings{}.make_case())));
-    const std::vector<UncertainInput> inputs = uncertain_inputs({}, answer, true);
+    const std::vector<UncertainInput> inputs = uncertain_inputs({}, answer, true).inputs;
     CHECK(inputs.at(0).standard_deviation == doctest::Approx(1.5));
     CHECK(inputs.at(1).standard_deviation == doctest::Approx(0.013));
     CHECK(inputs.at(2).standard_deviation == doctest::Approx(0.045));
@@ -179,12 +179,12 @@ TEST_CASE("uncertainty: presets bring their scatter and what is given exactly ha
     // A preset that states its own.
     const InkPreset* own = nullptr;
     for (const InkPreset& preset : ink_presets()) {
-        if (preset.eta0_sd) own = &preset;
+        if (preset.sd("eta0")) own = &preset;
     }
     REQUIRE(own != nullptr);
     const Settings measured = settings({{Key::ink, own->name.c_str()}});
     const Json with = answer_object(predict(measured.make_case()));
-    CHECK(uncertain_inputs(measured, with, true).at(0).standard_deviation == own->eta0_sd);
+    CHECK(uncertain_inputs(measured, with, true).inputs.at(0).standard_deviation == own->sd("eta0"));
 }
 
 TEST_CASE("uncertainty: samples without an answer are counted and said and left out") {
