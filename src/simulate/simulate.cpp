@@ -27,7 +27,7 @@ constexpr double draft_cell_error = 0.35;
 constexpr double draft_deformation_error = 1.45;  ///< of a cell that is hardly deformed
 /// By how much those grow with G R_c/μ from where on: at 1.2, in a cell of half the nozzle's radius, a stress was 24 % off
 /// at 6 nodes.
-constexpr double draft_softness = 6.0;
+constexpr double draft_softness = 8.0;
 constexpr double draft_softness_from = 0.7;
 constexpr double draft_flow_error = 0.05;
 /// Of the nozzle's pressure gradient, times nodes a nozzle radius squared: what the extrapolation leaves in a thinning ink.

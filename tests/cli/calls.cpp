@@ -112,7 +112,7 @@ TEST_CASE("command: every problem of a call is told at once with status 2") {
     CHECK(run("--format ''").status == 2);
     CHECK(run("--model quick").status == 2);
     CHECK(run("--simulate=shear-thinning").status == 2);
-    CHECK(run("--simulate --alpha 0,0.5").status == 2);
+    CHECK(run("--simulate --alpha 0,0.5 --format csv").status == 2);
     CHECK(run("--simulate=channel --offset 41.5um").status == 2);  // too near the wall for the lattice
     CHECK(run("--simulate=shear --offset 0").status == 2);
     CHECK(run("--simulate=exit --fluid-stress 1kPa").status == 2);
