@@ -125,7 +125,8 @@ std::vector<std::string> refusals(const LadderAnswer& answer) {
     }
     std::vector<std::string> lines;
     lines.reserve(found.size());
-    for (const auto& [why, models] : found) lines.push_back(models + " cannot: " + why);
+    for (const auto& [why, models] : found)
+        lines.push_back(std::string(models).append(" cannot: ").append(why));
     return lines;
 }
 
