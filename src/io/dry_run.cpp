@@ -142,6 +142,7 @@ struct SimulationPlan {
     double resolution;
     SimulationWork work;
     const RungRecord* record;  ///< null: nothing like it was measured
+    bool refined;              ///< finer runs may follow
 };
 
 SimulationPlan plan_simulation(const PlannedWork& work) {
@@ -151,7 +152,10 @@ SimulationPlan plan_simulation(const PlannedWork& work) {
     SimulationPlan plan{.ladder = {},
                         .resolution = resolution_of(*work.simulation),
                         .work = work_of(prediction, *work.simulation),
-                        .record = nullptr};
+                        .record = nullptr,
+                        .refined = false};
+    const SceneChoice scene = choose_scene(*work.simulation, prediction).scene;
+    plan.refined = work.simulation->tolerance && 2.0 * plan.resolution <= finest_refined(scene);
     plan.ladder = climb(prediction, {}, &*work.simulation);
     const Rung rung = rung_of(plan.resolution);
     if (plan.ladder.timed && resolution_of(rung) == plan.resolution)
@@ -174,9 +178,9 @@ std::string simulation_text(const PlannedWork& work, const SimulationPlan& plan)
     }
     if (plan.record != nullptr && plan.record->unjudged == 0)
         text += "\nerror    " + percent_text(plan.record->error) + " at most on questions like this one";
-    if (work.simulation->tolerance)
+    if (plan.refined)
         text += "\nthen     finer runs while its own numerical error is above " +
-                percent_text(*work.simulation->tolerance);
+                percent_text(work.simulation->tolerance.value_or(0.0));
     return text + "\nmemory   " + megabytes(plan.work.memory) + "\n";
 }
 
@@ -274,7 +278,9 @@ Plan dry_run(const PlannedWork& work) {
     if (ladder) {
         plan.text += ladder_section(*ladder, work.options.style);
         object["choice"] = ladder_object(*ladder);
-        if (const auto missed = shortfall(*ladder)) plan.short_of = missed->message;
+        // Whether a simulation keeps a tolerance its own error tells, once it is run.
+        const auto missed = shortfall(*ladder);
+        if (missed && (!work.simulation || missed->code == "budget_not_met")) plan.short_of = missed->message;
     }
     if (as_json) plan.text = json_text(object, work.format == Format::json && !work.batch ? 2 : -1) + "\n";
     return plan;

@@ -125,7 +125,8 @@ std::vector<std::string> refusals(const LadderAnswer& answer) {
     }
     std::vector<std::string> lines;
     lines.reserve(found.size());
-    for (const auto& [why, models] : found) lines.push_back(models + " cannot: " + why);
+    for (const auto& [why, models] : found)
+        lines.push_back(std::string(models).append(" cannot: ").append(why));
     return lines;
 }
 
@@ -139,8 +140,8 @@ std::optional<Warning> shortfall(const LadderAnswer& answer) {
     if (request.budget && !chosen.affordable) {
         return Warning{.code = "budget_not_met",
                        .message = "--budget: no " + std::string(plural(request)) + " is within " +
-                                  duration(request.budget) + "; this is the answer of the cheapest, " + name +
-                                  ", whose time is " + duration(chosen.time)};
+                                  duration(request.budget) + "; the cheapest is taken, " + name +
+                                  ", which takes up to " + duration(chosen.time)};
     }
     if (answer.run) {
         return Warning{
@@ -153,7 +154,7 @@ std::optional<Warning> shortfall(const LadderAnswer& answer) {
     return Warning{.code = "tolerance_not_met",
                    .message = "--tolerance: no " + std::string(plural(request)) +
                               " that can follow this question was measured to be within " + wanted(request) +
-                              "; this is the answer of " + name + ", measured error " +
+                              "; the best that is left is taken, " + name + ", measured error " +
                               (chosen.error ? percent(*chosen.error) : "not known")};
 }
 

@@ -262,11 +262,13 @@ std::string breakdown(const SimulationResult& run) {
 
 }  // namespace
 
-namespace {
+double finest_refined(const SceneChoice& scene) {
+    constexpr double on_axis = 12.0;
+    constexpr double in_space = 6.0;
+    return scene.kind == SceneKind::shear || scene.offset > 0.0 ? in_space : on_axis;
+}
 
-/// Finest runs that --tolerance tries on the axis and in space [nodes a cell radius].
-constexpr double finest_on_axis = 12.0;
-constexpr double finest_in_space = 6.0;
+namespace {
 
 /// The numerical error of a scene's judged number, relative.
 double own_error(const SimulationResult& run) {
@@ -283,9 +285,7 @@ SimulationOptions options_of(const SimulationQuestion& question, SimulationOptio
 /// Why a run is not refined to this question; empty when it can be.
 std::string obstacle(const Prediction& prediction, const SceneChoice& scene,
                      const SimulationQuestion& finer) {
-    const bool in_space = scene.kind == SceneKind::shear || scene.offset > 0.0;
-    if (resolution_of(finer) > (in_space ? finest_in_space : finest_on_axis))
-        return "--resolution goes further";
+    if (resolution_of(finer) > finest_refined(scene)) return "--resolution goes further";
     try {
         const LadderAnswer ladder = climb(prediction, {}, &finer);
         const auto rung = static_cast<std::size_t>(rung_of(resolution_of(finer)));
@@ -307,7 +307,7 @@ SimulationQuestion finer_than(SimulationQuestion question) {
         question.resolution = resolution;
     } else {
         question.fidelity = question.fidelity == Fidelity::draft ? Fidelity::standard : Fidelity::fine;
-        if (resolution > finest_on_axis) question.resolution = resolution;
+        if (resolution > resolution_of(Rung::fine)) question.resolution = resolution;
     }
     return question;
 }

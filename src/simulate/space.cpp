@@ -446,9 +446,13 @@ double longest_shear(double load) {
 
 SpaceLattices space_lattices(const Scene& scene, const SimulationOptions& options) {
     const double nodes = nodes_for(scene, options.resolution);
+    const double coarse_nodes = 0.5 * nodes;
+    // Near the wall the coarse lattice may leave no node between it and the cell.
+    const double gap = (scene.nozzle_radius - scene.cell.radius - scene.offset) / scene.cell.radius;
+    const bool room = scene.kind == SceneKind::shear || gap * coarse_nodes >= 1.0;
     return {.nodes = nodes,
-            .coarse_nodes = 0.5 * nodes,
-            .compare = options.estimate_error && 0.5 * options.resolution >= coarsest};
+            .coarse_nodes = coarse_nodes,
+            .compare = options.estimate_error && 0.5 * options.resolution >= coarsest && room};
 }
 
 void check_space(const Scene& scene, const SimulationOptions& options) {

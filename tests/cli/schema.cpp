@@ -35,11 +35,23 @@ TEST_CASE("command: every answer is valid under the schema it names") {
                              "--population",
                              "--population --length 1cm --threshold 1kPa",
                              "--simulate=channel --fidelity draft",
+                             "--simulate=channel --offset 0 --budget 1ms",
+                             "--viscosity-ratio 5 --offset 0 --tolerance 5%",
                              "--simulate=exit-flow --resolution 3",
                              "--simulate=shear --fidelity draft",
                              "--simulate=channel --offset 3Rc --channel-time 1ms --fidelity draft"}) {
         CAPTURE(call);
         CHECK(schema_violations(json::parse(run(std::string(call) + " --json").out), "answer") == "");
+    }
+}
+
+TEST_CASE("command: every plan of a dry run is valid under its schema") {
+    for (const char* call : {"", "--alpha 0:0.7:0.1", "--batch -", "--model steady --explain", "--simulate",
+                             "--simulate=shear --fidelity draft", "--simulate=exit-flow --alpha 0.9",
+                             "--simulate=channel --offset 0 --budget 1ms", "--tolerance 1% --budget 10ms"}) {
+        CAPTURE(call);
+        const json plan = json::parse(run(std::string("--dry-run --json ") + call).out);
+        CHECK(schema_violations(plan, "plan") == "");
     }
 }
 

@@ -191,6 +191,12 @@ TEST_CASE("trade: a dry run tells as JSON and what is not met") {
     CHECK(outcome.status == 5);
     CHECK(json::parse(outcome.out)["choice"]["met"] == false);
     CHECK(contains(run("--dry-run --explain").out, "Models for exit"));
+    const Outcome refined = run("--dry-run --simulate=channel --offset 0 --tolerance 5%");
+    CHECK(refined.status == 0);
+    CHECK(contains(refined.out, "finer runs while its own numerical error is above 5 %"));
+    const Outcome finest = run("--dry-run --simulate=channel --offset 0 --tolerance 0.5%");
+    CHECK(finest.status == 0);  // the run's own error decides
+    CHECK_FALSE(contains(finest.out, "finer runs"));
 }
 
 TEST_CASE("trade: a dry run says where the time lies outside what was measured") {

@@ -157,3 +157,12 @@ TEST_CASE("simulation in space: a cell too soft or too stiff for its offset is r
     stiff.cell.shear_modulus = 1e5;
     CHECK(message(stiff, 0.0).find("bears the same stress") != std::string::npos);
 }
+
+TEST_CASE("space: a cell so near the wall that a coarser lattice has no room for it is answered by the fine run") {
+    Scene near = scene(SceneKind::channel, 24.9e-6);
+    near.cell = {.radius = 20e-6, .shear_modulus = 50e3};
+    SimulationResult result;
+    REQUIRE_NOTHROW(result = simulate(near, {.resolution = 6.0}));
+    CHECK(result.at("von_mises").value > 0.0);
+    CHECK(result.at("von_mises").error > 0.0);
+}
