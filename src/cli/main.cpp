@@ -270,6 +270,7 @@ int answer_rows(const Arguments& arguments, RunOptions options, const Sink& noti
             say(reference_report(arguments.sweep.fixed()));
     }
     const bool to_file = arguments.output.has_value();
+    if (!result.interrupted) pictures.finish();
     if (!(result.interrupted && to_file)) output.commit();
     if (!result.interrupted) pictures.commit();
     return status_of(result, to_file);

@@ -117,8 +117,13 @@ void Pictures::plot(const Picture& picture) {
     plot_ = bioprint::draw(picture, checked_canvas(*question_.plot), terminal_size());
 }
 
+void Pictures::finish() {
+    if (!finished_ && !nothing_asked() && !sweep_.swept().empty()) draw_sweep();
+    finished_ = true;
+}
+
 void Pictures::commit() {
-    if (!nothing_asked() && !sweep_.swept().empty()) draw_sweep();
+    finish();
     if (plot_file_ && !plot_.empty()) {
         plot_file_->write(plot_);
         plot_file_->commit();

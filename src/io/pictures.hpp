@@ -35,13 +35,17 @@ class Pictures {
     /// The same of a question with its simulation.
     /// @param answer  with the simulation in it
     void draw(const Prediction& prediction, const Comparison& comparison, const Json& answer);
-    /// Writes them. Rows of a sweep that were answered in an earlier run are answered again.
+    /// Draws what is still to be drawn, so that it can fail before any file is in its place. Rows of a sweep that were
+    /// answered in an earlier run are answered again.
+    void finish();
+    /// Writes them.
     void commit();
 
   private:
     [[nodiscard]] bool nothing_asked() const { return !question_.plot && !question_.report; }
     void watch_sweep(RunOptions& options);
     void draw_sweep();
+    bool finished_ = false;
     void draw_question(const RunOptions& options, const Json& answer);
     void plot(const Picture& picture);
 
