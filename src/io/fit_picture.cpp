@@ -42,20 +42,26 @@ double viscosity(const LawFit& fit, double rate) {
     return 0.0;
 }
 
-/// The law chosen first, then the best fit by each other law.
+/// The law chosen first, then the best of all, then the best fit by each other law.
 std::vector<const LawFit*> shown_laws(const FitAnswer& answer) {
     std::vector<const LawFit*> laws = {&answer.chosen};
     for (const LawFit& fit : answer.fit.laws) {
         const bool there = std::any_of(laws.begin(), laws.end(), [&](const LawFit* other) {
             return other->choice.law == fit.choice.law;
         });
-        if (!there && laws.size() < most_laws) laws.push_back(&fit);
+        const bool best = &fit == &answer.fit.laws.front() && !(fit.choice == answer.chosen.choice);
+        if ((best || !there) && laws.size() < most_laws) laws.push_back(&fit);
     }
     return laws;
 }
 
+/// As the table of the laws compared calls it.
+std::string name_of(const LawFit& fit) {
+    return std::string(law_name(fit.choice.law)) + (fit.choice.fit_eta_inf ? ", eta_inf fitted" : "");
+}
+
 std::string law_title(const LawFit& fit, const LawFit& chosen) {
-    std::string title(law_name(fit.choice.law));
+    std::string title = name_of(fit);
     if (&fit == &chosen || !fit.aicc || !chosen.aicc) return title;
     const double more = *fit.aicc - *chosen.aicc;
     return title + " (AICc " + (more < 0.0 ? "-" : "+") + bare_text(std::abs(more), 2) + ")";
@@ -89,7 +95,12 @@ void add_points(Panel& panel, const FitAnswer& answer, const Value& value) {
 }
 
 Panel curve_panel(const FitAnswer& answer) {
-    Panel panel{.title = "Viscosity",
+    const std::size_t outliers = answer.points.size() - answer.fit.points_used;
+    std::string data = std::to_string(answer.fit.points_used) + " points";
+    if (outliers > 0) data += ", " + std::to_string(outliers) + " left out";
+    if (answer.temperature) data += ", at " + bare_text(*answer.temperature, 3) + " °C";
+    data += "; scatter " + bare_text(100.0 * answer.chosen.scatter, 2) + " %";
+    Panel panel{.title = "Viscosity: " + data,
                 .x = rate_axis(answer),
                 .y = {.title = "viscosity", .dimension = Dimension::viscosity, .logarithmic = true}};
     const double low = *panel.x.min;
@@ -110,8 +121,7 @@ Panel curve_panel(const FitAnswer& answer) {
 
 /// The residuals of the points in use decide the scale; an outlier beyond it is not drawn.
 Panel residual_panel(const FitAnswer& answer) {
-    Panel panel{.title = "Residuals: measured over fitted less 1 (" +
-                         std::string(law_name(answer.chosen.choice.law)) + ")",
+    Panel panel{.title = "Residuals: measured over fitted less 1 (" + name_of(answer.chosen) + ")",
                 .x = rate_axis(answer),
                 .y = {.title = "residual [%]"}};
     const auto percent = [](const FitPoint& point) { return 100.0 * std::expm1(point.residual()); };
@@ -140,16 +150,13 @@ Panel residual_panel(const FitAnswer& answer) {
 }  // namespace
 
 Picture fit_picture(const FitAnswer& answer) {
-    const std::size_t outliers = answer.points.size() - answer.fit.points_used;
-    std::string data = std::to_string(answer.fit.points_used) + " points";
-    if (outliers > 0) data += ", " + std::to_string(outliers) + " left out";
-    if (answer.temperature) data += ", at " + bare_text(*answer.temperature, 3) + " °C";
     return {.name = "fit",
-            .title = answer.name + ": " + fit_options_line(answer),
-            .subtitle = data + "; scatter " + bare_text(100.0 * answer.chosen.scatter, 2) + " %",
+            .title = answer.name + ": " + name_of(answer.chosen),
+            .subtitle = fit_options_line(answer),
             .caption = "The flow curve with the laws fitted to it; below, what the law chosen leaves over.",
             .rows = {{.panels = {curve_panel(answer)}, .height = 460},
-                     {.panels = {residual_panel(answer)}, .height = 260}}};
+                     {.panels = {residual_panel(answer)}, .height = 260}},
+            .one_x = true};
 }
 
 }  // namespace bioprint

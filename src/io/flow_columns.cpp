@@ -164,6 +164,17 @@ FlowColumns find_flow_columns(const std::vector<ColumnHead>& heads) {
     return columns;
 }
 
+std::string unknown_units(const std::vector<ColumnHead>& heads) {
+    for (const ColumnHead& head : heads) {
+        const std::string name = lower_case(head.name);
+        const bool meant =
+            has_any(name, rate_words) || has_any(name, viscosity_words) || has_any(name, stress_words);
+        if (!meant || head.unit.empty() || unit_text(head.unit)) continue;
+        return "; the unit " + in_quotes(head.unit) + std::string(unit_not_known);
+    }
+    return {};
+}
+
 std::string list_of_heads(const std::vector<ColumnHead>& heads) {
     std::string list;
     for (const ColumnHead& head : heads) {

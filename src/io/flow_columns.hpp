@@ -45,4 +45,8 @@ ColumnHead split_head(std::string_view field);
 /// "'Time [s]', 'Torque [mN·m]'".
 std::string list_of_heads(const std::vector<ColumnHead>& heads);
 
+/// "; the unit 'dyn/cm2' is not known" for the first column that has one; else empty.
+std::string unknown_units(const std::vector<ColumnHead>& heads);
+inline constexpr std::string_view unit_not_known = " is not known here";
+
 }  // namespace bioprint

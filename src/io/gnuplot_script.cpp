@@ -294,6 +294,8 @@ std::string gnuplot_script(const Picture& picture, Canvas canvas, const CanvasSi
                 "set tics nomirror out scale 0.6\n";
         }
     }
+    // Left to itself gnuplot makes room for the numbers of each axis.
+    if (picture.one_x && !terminal) out += "set lmargin at screen 0.09\nset rmargin at screen 0.975\n";
     const double total = height_of(picture);
     double below = total - head_height(picture);
     for (const PictureRow& row : picture.rows) {

@@ -89,6 +89,7 @@ struct Picture {
     std::string subtitle;  ///< and more of it, smaller; may be empty
     std::string caption;   ///< what is seen, in a sentence or two
     std::vector<PictureRow> rows;
+    bool one_x = false;  ///< the axes of the rows, a panel each, stand below each other
 };
 
 inline constexpr int picture_width = 900;  ///< [px]

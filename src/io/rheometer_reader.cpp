@@ -191,7 +191,19 @@ class Reader {
         if (names.size() >= 2) row.fields = names;
     }
 
+    /// A line of as many words as there are columns names them, whatever separates the numbers.
+    void split_names_at_blanks() {
+        if (pending_.empty() || pending_.back().filled() != 1 || fields_.size() < 2) return;
+        std::vector<std::string_view> words;
+        for (const std::string& field : pending_.back().fields) {
+            if (!field.empty()) split_fields(field, ' ', words);
+        }
+        if (words.size() != fields_.size() || words.front().starts_with('#')) return;
+        pending_.back().fields = {words.begin(), words.end()};
+    }
+
     void begin_interval(std::size_t line) {
+        split_names_at_blanks();
         Heading heading = heading_of(pending_);
         const bool continues = open_ && heading.heads.empty();
         if (continues) {
@@ -285,11 +297,11 @@ class Reader {
 
     [[nodiscard]] std::string judge_interval() const {
         if (!columns_.complete()) {
-            if (columns_.oscillation) return "an oscillatory test, no flow curve";
+            if (columns_.oscillation) return oscillatory;
             if (headless_) return std::to_string(fields_.size()) + " columns without names";
             std::string lacking =
                 !columns_.rate ? "no column of shear rate" : "no column of viscosity or shear stress";
-            return lacking + " among " + list_of_heads(heads_);
+            return lacking + " among " + list_of_heads(heads_) + unknown_units(heads_);
         }
         if (points_.empty()) return "no usable row";
         const auto [low, high] = std::minmax_element(
@@ -308,7 +320,7 @@ class Reader {
         const bool wanted = options_.intervals.empty() ||
                             std::find(options_.intervals.begin(), options_.intervals.end(), number) !=
                                 options_.intervals.end();
-        if (interval_.skipped.empty() && !wanted) interval_.skipped = "not asked for";
+        if (interval_.skipped.empty() && !wanted) interval_.skipped = not_asked_for;
         if (interval_.skipped.empty()) {
             data_.points.insert(data_.points.end(), points_.begin(), points_.end());
             merge_dropped();
@@ -354,7 +366,8 @@ class Reader {
             list += (list.empty() ? "" : "; ") + std::to_string(i + 1) + " from line " +
                     std::to_string(interval.line);
             if (!interval.name.empty()) list += " (" + interval.name + ")";
-            if (!interval.skipped.empty()) list += ": " + interval.skipped;
+            if (!interval.skipped.empty() && interval.skipped != not_asked_for)
+                list += ": " + interval.skipped;
         }
         return list;
     }
@@ -363,10 +376,12 @@ class Reader {
         for (const std::size_t wanted : options_.intervals) {
             if (wanted <= data_.intervals.size() && data_.intervals[wanted - 1].skipped.empty()) continue;
             if (wanted > data_.intervals.size()) {
-                throw UsageError("--interval: got " + std::to_string(wanted) + ", but " + data_.file +
-                                     " has " + std::to_string(data_.intervals.size()) + ": " +
-                                     list_of_intervals(),
-                                 "--interval");
+                const std::size_t count = data_.intervals.size();
+                throw UsageError(
+                    "--interval: got " + std::to_string(wanted) + ", but " + data_.file + " has " +
+                        std::to_string(count) +
+                        (count == 1 ? " interval alone; leave it out" : " intervals: " + list_of_intervals()),
+                    "--interval");
             }
             throw UsageError("--interval: interval " + std::to_string(wanted) + " of " + data_.file +
                                  " is no flow curve: " + data_.intervals[wanted - 1].skipped,
@@ -382,10 +397,14 @@ class Reader {
         if (data_.intervals.size() == 1) {
             const RheometerInterval& only = data_.intervals.front();
             const bool columns = only.rate.empty() || only.viscosity.empty();
+            const bool oscillates = only.skipped == oscillatory;
+            const bool unit = only.skipped.find(unit_not_known) != std::string::npos;
             fail("line " + std::to_string(only.line) + ": " + only.skipped + dropped_reasons() +
-                 (columns ? "; name the columns and their units in a line above, such as Shear rate [1/s] "
-                            "and Viscosity [Pa.s]"
-                          : "; a fit needs a curve over different shear rates"));
+                 (oscillates ? "; export a rotational test of viscosity over shear rate"
+                  : unit     ? "; convert the column, to Pa.s, Pa or 1/s"
+                  : columns  ? "; name the columns and their units in a line above, such as Shear rate [1/s] "
+                               "and Viscosity [Pa.s]"
+                             : "; a fit needs a curve over different shear rates"));
         }
         fail("no interval is a flow curve: " + list_of_intervals());
     }
@@ -400,6 +419,8 @@ class Reader {
     }
 
     static constexpr std::size_t most_pending = 400;
+    static constexpr const char* oscillatory = "an oscillatory test, no flow curve";
+    static constexpr const char* not_asked_for = "not asked for";
     std::vector<std::string_view> lines_;
     const RheometerReadOptions& options_;
     RheometerData data_;

@@ -77,7 +77,10 @@ void answer_one(const Settings& row, const RunOptions& options, const Sink& sink
         case Format::csv:
             break;
     }
-    if (prediction.profile) return sink(profile_csv(*prediction.profile));
+    if (prediction.profile) {
+        notice("--profile: as CSV or a workbook the answer is the profile alone; --format json has both");
+        return sink(profile_csv(*prediction.profile));
+    }
     const RowWriter writer(options, cell_entries(row), row.has(Key::population), passage_entries(row));
     sink(writer.head() + writer.csv_row(answer));
 }

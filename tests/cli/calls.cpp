@@ -22,6 +22,14 @@ using bioprint::testing::contains;
 using bioprint::testing::lines;
 using nlohmann::json;
 
+TEST_CASE("calls: a profile as CSV says that it is the profile alone") {
+    const Outcome outcome = run("--profile 3 --population --model steady --format csv");
+    CHECK(outcome.status == 0);
+    CHECK(outcome.out.starts_with("r [m],velocity [m/s]"));
+    CHECK(contains(outcome.err, "--profile: as CSV or a workbook the answer is the profile alone"));
+    CHECK(run("-q --profile 3 --model steady --format csv").err.empty());
+}
+
 TEST_CASE("calls: no file is written twice or over one that is read") {
     write_scratch("curve.csv", "rate [1/s],viscosity [Pa.s]\n1,9\n10,5\n100,2\n1000,0.5\n");
     write_scratch(

@@ -226,7 +226,7 @@ TEST_CASE("fit command: wrong calls and files end with one clear line") {
           {"fit two.csv", 2, "different ones"},
           {"fit curve.txt --law casson", 2, "--law: got 'casson'"},
           {"fit curve.txt --interval 0", 2, "--interval: got '0'"},
-          {"fit curve.txt --interval 2", 2, "has 1"},
+          {"fit curve.txt --interval 2", 2, "has 1 interval alone"},
           {"fit curve.txt --eta-inf 5s", 2, "--eta-inf: got '5s', a time"},
           {"fit curve.txt --eta-inf -1", 2, "--eta-inf"},
           {"fit curve.txt --format yaml", 2, "--format"},

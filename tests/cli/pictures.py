@@ -149,6 +149,21 @@ class Pictures(Case):
             self.assertIn(words, self.err)
             self.assertEqual(self.names(), ["fit.txt", "flow-curve.csv", "p.svg"])
 
+    def test_a_fit_shows_the_best_law_by_its_name_over_residuals_of_the_same_axis(self):
+        rows = "".join(f"{r:g},{0.3 + 50 / (1 + (3 * r) ** 0.9):g}\n" for r in (0.01 * 10 ** (i / 6) for i in range(31)))
+        (self.folder / "floor.csv").write_text("rate [1/s],viscosity [Pa.s]\n" + rows)
+        self.call("fit", "-q", "floor.csv", "--plot", "p.svg", "-o", "fit.txt")
+        texts = self.texts()
+        self.assertIn("floor: cross", texts)
+        self.assertTrue(any(text.startswith("cross, eta_inf fitted (AICc -") for text in texts), texts)
+        places = re.findall(r'translate\(([\d.]+),[\d.]+\)"[^>]*>\s*<text>1000<', self.read("p.svg").decode())
+        self.assertEqual(len(places), 2, "an axis each")
+        self.assertEqual(places[0], places[1])
+        self.call("fit", "-q", "floor.csv", "--law", "carreau-yasuda", "--eta-inf", "fit", "--plot", "p.svg", "-o", "fit.txt")
+        texts = self.texts()
+        self.assertIn("floor: carreau-yasuda, eta_inf fitted", texts)
+        self.assertTrue(any(text.startswith("--law carreau-yasuda --eta0 ") for text in texts), texts)
+
     def test_a_spread_is_drawn_where_one_was_asked_for(self):
         for kind, words in (("exit", "largest, 5 to 95 %"), ("profile", "cell (von Mises), 5 to 95 %"),
                             ("nomogram", "this print, 5 to 95 %")):  # fmt: skip

@@ -104,6 +104,14 @@ TEST_CASE("rheometer: columns are found by their unit first and by their name se
     CHECK(find({"Shear rate (s\u207b\u00b9)", "Viscosity, cP"}).viscosity->factor == 1e-3);
 }
 
+TEST_CASE("rheometer: names in a line of their own words name the columns whatever separates the numbers") {
+    const RheometerData data = read("# my data\nvisc rate\n5\t1\n2\t10\n1\t100\n");
+    CHECK(data.intervals.front().rate == "rate");
+    CHECK(data.intervals.front().viscosity == "visc");
+    CHECK(data.points.at(1).rate == 10.0);
+    for (const std::string& remark : data.remarks) CHECK_FALSE(contains(remark, "without names"));
+}
+
 TEST_CASE("rheometer: stress over rate is the viscosity where none was exported") {
     const RheometerData data = read("Shear rate [1/s],Shear stress [kPa]\n0.1,0.002\n1,0.01\n10,0.05\n");
     REQUIRE(data.points.size() == 3);
@@ -158,7 +166,7 @@ TEST_CASE("rheometer: an interval is chosen by its number and a wrong one lists 
         "Shear rate [1/s],Viscosity [Pa.s]\n10,6\n1,9\n0.1,11\n";
     CHECK(read(file).points.size() == 6);
     CHECK(read(file, {.intervals = {2}}).points.front().viscosity == 6.0);
-    CHECK(contains(refusal(file, {.intervals = {3}}), "has 2: 1 from line 2"));
+    CHECK(contains(refusal(file, {.intervals = {3}}), "has 2 intervals: 1 from line 2"));
 }
 
 TEST_CASE("rheometer: a curve turned backwards counts as forwards") {
@@ -188,8 +196,13 @@ TEST_CASE("rheometer: what is no flow curve is refused with line or columns and 
     CHECK(contains(refusal("rate [1/s],viscosity [Pa.s]\n1,2\n1,2\n1,2\n"), "the shear rate is constant"));
     CHECK(contains(refusal("rate [1/s],viscosity [Pa.s]\n1,-2\n10,-2\n100,nan\n"),
                    "2 rows with viscosity not above 0 (line 2)"));
-    CHECK(
-        contains(refusal("Angular frequency [rad/s],Complex viscosity [Pa.s]\n1,2\n10,1\n"), "oscillatory"));
+    CHECK(contains(refusal("Angular frequency [rad/s],Complex viscosity [Pa.s]\n1,2\n10,1\n"),
+                   "an oscillatory test, no flow curve; export a rotational test"));
+    const std::string unit = refusal("Shear rate [1/s],Shear stress [dyn/cm2]\n1,20\n10,90\n");
+    CHECK(contains(unit, "the unit 'dyn/cm2' is not known here; convert the column"));
+    CHECK_FALSE(contains(unit, "name the columns"));
+    CHECK(contains(refusal("1 5\n10 2\n100 1\n", {.intervals = {3}}),
+                   "got 3, but data.txt has 1 interval alone; leave it out"));
 }
 
 TEST_CASE("rheometer: encodings are told apart") {
