@@ -154,8 +154,7 @@ SimulationPlan plan_simulation(const PlannedWork& work) {
                         .work = work_of(prediction, *work.simulation),
                         .record = nullptr,
                         .refined = false};
-    const SceneChoice scene = choose_scene(*work.simulation, prediction).scene;
-    plan.refined = work.simulation->tolerance && 2.0 * plan.resolution <= finest_refined(scene);
+    plan.refined = work.simulation->tolerance && why_not_finer(prediction, *work.simulation).empty();
     plan.ladder = climb(prediction, {}, &*work.simulation);
     const Rung rung = rung_of(plan.resolution);
     if (plan.ladder.timed && resolution_of(rung) == plan.resolution)

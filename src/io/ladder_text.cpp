@@ -68,7 +68,8 @@ std::string of_chosen(const LadderAnswer& answer, const RungVerdict& chosen) {
             request.budget ? "within " + duration(request.budget) + " that can follow this question"
                            : "that can follow this question";
         if (chosen.error)
-            return ", the least of the " + what + "s " + within + "; it is not within " + wanted(request);
+            return ", the least of the " + what + "s " + within + "; it is not within " +
+                   percent(*request.tolerance);
         return "; nor is that of any other " + what + " " + within;
     }
     if (!request.budget) return "";

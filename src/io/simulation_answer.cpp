@@ -262,12 +262,6 @@ std::string breakdown(const SimulationResult& run) {
 
 }  // namespace
 
-double finest_refined(const SceneChoice& scene) {
-    constexpr double on_axis = 12.0;
-    constexpr double in_space = 6.0;
-    return scene.kind == SceneKind::shear || scene.offset > 0.0 ? in_space : on_axis;
-}
-
 namespace {
 
 /// The numerical error of a scene's judged number, relative.
@@ -282,11 +276,28 @@ SimulationOptions options_of(const SimulationQuestion& question, SimulationOptio
     return options;
 }
 
-/// Why a run is not refined to this question; empty when it can be.
-std::string obstacle(const Prediction& prediction, const SceneChoice& scene,
-                     const SimulationQuestion& finer) {
-    if (resolution_of(finer) > finest_refined(scene)) return "--resolution goes further";
+SimulationQuestion finer_than(SimulationQuestion question) {
+    const double resolution = 2.0 * resolution_of(question);
+    if (question.resolution) {
+        question.resolution = resolution;
+    } else {
+        question.fidelity = question.fidelity == Fidelity::draft ? Fidelity::standard : Fidelity::fine;
+        if (resolution > resolution_of(Rung::fine)) question.resolution = resolution;
+    }
+    return question;
+}
+
+}  // namespace
+
+std::string why_not_finer(const Prediction& prediction, const SimulationQuestion& question) {
+    constexpr double finest_on_axis = 12.0;
+    constexpr double finest_in_space = 6.0;
+    const SimulationQuestion finer = finer_than(question);
     try {
+        const SceneChoice scene = choose_scene(finer, prediction).scene;
+        const bool in_space = scene.kind == SceneKind::shear || scene.offset > 0.0;
+        if (resolution_of(finer) > (in_space ? finest_in_space : finest_on_axis))
+            return "--resolution goes further";
         const LadderAnswer ladder = climb(prediction, {}, &finer);
         const auto rung = static_cast<std::size_t>(rung_of(resolution_of(finer)));
         const std::optional<double> time = finer.resolution ? std::optional(work_of(prediction, finer).most)
@@ -301,16 +312,7 @@ std::string obstacle(const Prediction& prediction, const SceneChoice& scene,
     return {};
 }
 
-SimulationQuestion finer_than(SimulationQuestion question) {
-    const double resolution = 2.0 * resolution_of(question);
-    if (question.resolution) {
-        question.resolution = resolution;
-    } else {
-        question.fidelity = question.fidelity == Fidelity::draft ? Fidelity::standard : Fidelity::fine;
-        if (resolution > resolution_of(Rung::fine)) question.resolution = resolution;
-    }
-    return question;
-}
+namespace {
 
 /// Doubles the resolution until the run's own error is within the tolerance, or a finer one is out of reach.
 Comparison refined(const Prediction& prediction, const SceneChoice& scene, SimulationQuestion& question,
@@ -320,10 +322,9 @@ Comparison refined(const Prediction& prediction, const SceneChoice& scene, Simul
         Comparison comparison = compare_with_simulation(prediction, scene, options_of(question, simulation));
         how.error = own_error(comparison.run);
         if (how.error <= question.tolerance.value_or(1.0)) return comparison;
-        const SimulationQuestion finer = finer_than(question);
-        how.stop = obstacle(prediction, scene, finer);
+        how.stop = why_not_finer(prediction, question);
         if (!how.stop.empty()) return comparison;
-        question = finer;
+        question = finer_than(question);
         how.refined = true;
     }
 }

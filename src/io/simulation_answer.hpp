@@ -37,8 +37,8 @@ struct ChosenScene {
 /// @throws UsageError  not a scene, or one that this question does not fit
 ChosenScene choose_scene(const SimulationQuestion& question, const Prediction& prediction);
 double resolution_of(const SimulationQuestion& question);
-/// The finest run that `--tolerance` tries [nodes a cell radius].
-double finest_refined(const SceneChoice& scene);
+/// Why `--tolerance` does not try a run at twice the resolution of this one; empty when it does.
+std::string why_not_finer(const Prediction& prediction, const SimulationQuestion& question);
 /// The rung of so many nodes a cell radius, or the next finer one.
 Rung rung_of(double resolution);
 

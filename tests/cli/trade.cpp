@@ -194,6 +194,9 @@ TEST_CASE("trade: a dry run tells as JSON and what is not met") {
     const Outcome refined = run("--dry-run --simulate=channel --offset 0 --tolerance 5%");
     CHECK(refined.status == 0);
     CHECK(contains(refined.out, "finer runs while its own numerical error is above 5 %"));
+    const Outcome bounded = run("--dry-run --simulate=channel --offset 0 --tolerance 7% --budget 1s");
+    CHECK(contains(bounded.out, "3 nodes a cell radius"));
+    CHECK_FALSE(contains(bounded.out, "finer runs"));  // the budget does not allow one
     const Outcome finest = run("--dry-run --simulate=channel --offset 0 --tolerance 0.5%");
     CHECK(finest.status == 0);  // the run's own error decides
     CHECK_FALSE(contains(finest.out, "finer runs"));
