@@ -239,6 +239,10 @@ class Pictures(Case):
             self.assertEqual(len(self.err.splitlines()), 1, self.err)
             self.assertEqual(self.names(), [])
 
+    def test_a_kind_that_is_none_is_told_those_of_the_manual(self):
+        self.call("-q", "--plot", "p.svg", "--plot-kind", "foo", status=2)
+        self.assertIn("it takes overview, profile, exit, cell or nomogram\n", self.err)
+
     def test_in_the_terminal_this_nozzle_differs_from_the_other_needles(self):
         text = self.call("-q", "--plot", "-", "--plot-kind", "nomogram")
         sign = re.search(r"^ +(\S)\s*this nozzle$", text, re.M).group(1)
