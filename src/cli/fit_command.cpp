@@ -200,8 +200,10 @@ FitCall check(const Raw& raw, Problems& problems) {
 }
 
 void say_notes(const FitAnswer& answer) {
-    for (const Warning& warning : answer.warnings)
-        std::cerr << program_name << ": " << warning.message << '\n';
+    for (const Warning& warning : answer.warnings) {
+        const std::string line = std::string(program_name) + ": " + warning.message + "\n";
+        std::cerr << line;
+    }
 }
 
 std::string text_of(const FitAnswer& answer, const FitCall& call, const Raw& raw) {

@@ -54,7 +54,10 @@ void say(std::string_view text) {
     std::size_t begin = 0;
     while (begin < text.size()) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
-        std::cerr << program_name << ": " << text.substr(begin, end - begin) << '\n';
+        // In one piece: standard error and output may be one file, and the answer must not stand inside a line.
+        const std::string line =
+            std::string(program_name) + ": " + std::string(text.substr(begin, end - begin)) + "\n";
+        std::cerr << line;
         begin = end + 1;
     }
 }

@@ -153,12 +153,22 @@ class PanelScript {
                 line.mark = Mark::line;
                 add(looks(line), "");
             }
-            add(looks(series), series.title);
+            add(draws_as_letters(series) ? "with points pt 15" : looks(series), series.title);
         }
         return out + blocks + (plot.empty() ? "plot [0:1] [0:1] NaN notitle" : plot) + "\n";
     }
 
   private:
+    /// Characters have seven kinds of lines; where more cross, one that is named in the key stands out by letters.
+    [[nodiscard]] bool draws_as_letters(const Series& series) const {
+        constexpr auto terminal_lines = 7;
+        const auto is_line = [](const Series& s) {
+            return (s.mark == Mark::line || s.mark == Mark::faint) && drawable(s);
+        };
+        return canvas_ == Canvas::terminal && series.mark == Mark::line && !series.title.empty() &&
+               std::count_if(panel_.series.begin(), panel_.series.end(), is_line) > terminal_lines;
+    }
+
     [[nodiscard]] std::vector<std::string_view> titles() const {
         std::vector<std::string_view> found;
         for (const Series& series : panel_.series) {

@@ -17,7 +17,7 @@ constexpr std::array<std::string_view, 6> kinds = {"auto", "overview", "profile"
 }  // namespace
 
 std::string_view plot_kinds() {
-    return "auto, overview, profile, exit, cell or nomogram";
+    return "overview, profile, exit, cell or nomogram";  // and auto, which is what one gets without
 }
 
 Canvas checked_canvas(const PlotQuestion& plot) {

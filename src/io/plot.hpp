@@ -14,7 +14,7 @@ struct PlotQuestion {
     std::string kind = "auto";  ///< of plot_kinds()
 };
 
-/// "auto, overview, profile, exit, cell, nomogram": what `--plot-kind` takes.
+/// "overview, profile, exit, cell or nomogram": what `--plot-kind` takes, beside auto, its default.
 std::string_view plot_kinds();
 
 /// @throws UsageError  the file's ending is not one of svg, png, pdf, or the kind is not known

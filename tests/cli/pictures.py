@@ -239,6 +239,18 @@ class Pictures(Case):
             self.assertEqual(len(self.err.splitlines()), 1, self.err)
             self.assertEqual(self.names(), [])
 
+    def test_a_kind_that_is_none_is_told_those_of_the_manual(self):
+        self.call("-q", "--plot", "p.svg", "--plot-kind", "foo", status=2)
+        self.assertIn("it takes overview, profile, exit, cell or nomogram\n", self.err)
+
+    def test_in_the_terminal_this_nozzle_differs_from_the_other_needles(self):
+        text = self.call("-q", "--plot", "-", "--plot-kind", "nomogram")
+        sign = re.search(r"^ +(\S)\s*this nozzle$", text, re.M).group(1)
+        curve = text[text.index("this nozzle") :].splitlines()[4:]
+        self.assertGreater(sum(line.count(sign) for line in curve), 20)
+        # The others are drawn by signs, not by letters.
+        self.assertEqual(sign, "O")
+
     def test_without_gnuplot_the_package_is_named(self):
         os.mkdir(self.folder / "empty")
         self.call("-q", "--plot", "p.svg", status=4, env={"PATH": str(self.folder / "empty")})

@@ -2,6 +2,7 @@
 """The program in pipelines: GNU parallel, xargs, a Slurm array job."""
 import os
 import shutil
+import socket
 import subprocess
 
 from program import EXAMPLES, PROGRAM, Case, main, need
@@ -27,6 +28,22 @@ class Pipelines(Case):
         done = subprocess.run(["bash", "-c", script], cwd=self.folder, env=environment, capture_output=True, timeout=100, check=False)
         self.assertEqual(done.returncode, 0, done.stderr.decode())
         return done.stdout.decode()
+
+    def test_a_line_on_standard_error_is_written_in_one_piece(self):
+        """Where both outputs are one file the answer must not stand inside a line of a note."""
+        self.write("curve.csv", "".join(f"{10 ** i} {5 / (1 + 10 ** i)}\n" for i in range(-2, 3)))
+        for arguments in (["--get", "nozzle.stress_max"], ["--radius", "5s"], ["fit", "curve.csv", "--get", "fit.law"]):
+            # A packet for each write.
+            ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+            subprocess.run([PROGRAM, *arguments], cwd=self.folder, stdout=subprocess.DEVNULL, stderr=theirs, timeout=100, check=False)
+            theirs.close()
+            packets = []
+            while packet := ours.recv(65536):
+                packets.append(packet.decode())
+            ours.close()
+            self.assertGreater(len(packets), 0)
+            for packet in packets:
+                self.assertRegex(packet, r"\Abioprint-predict: .*\n\Z", arguments)
 
     def test_gnu_parallel_joins_pieces_in_order(self):
         text = self.shell("parallel --will-cite -k 'bioprint-predict -q --batch runs.csv --shard {}/4 || test $? = 6' ::: 1 2 3 4")

@@ -56,11 +56,11 @@ struct LawFit {
     LawChoice choice;
     double eta_inf;  ///< held, or fitted [Pa s]; 0 for a law without
     std::vector<FittedParameter> parameters;
-    std::vector<double> correlation;  ///< by rows, of the logarithms (of Carreau-Yasuda's n: of −ln(1 − n), which grows
-                                      ///< with it); not finite entries are 0
-    std::vector<double> fitted;       ///< η at every point, used or not [Pa s]
-    double scatter;                   ///< standard deviation of ln η: the relative error of a point
-    double rms;                       ///< root mean square of ln η
+    /// By rows, of the logarithms; of Carreau-Yasuda's n of −ln(1 − n), which grows with it. Not finite entries are 0.
+    std::vector<double> correlation;
+    std::vector<double> fitted;  ///< η at every point, used or not [Pa s]
+    double scatter;              ///< standard deviation of ln η: the relative error of a point
+    double rms;                  ///< root mean square of ln η
     double aic;
     std::optional<double> aicc;  ///< none for too few points
     /// Of the residuals of neighbours in rate; near 0 for scatter, towards 1 where the law bends otherwise.
