@@ -9,5 +9,6 @@ target_sources(bioprint_simulate PRIVATE
   offset_view.cpp
   shear_scene.cpp
   space.cpp
+  space_errors.cpp
   space_limits.cpp
   space_pictures.cpp)

@@ -13,6 +13,7 @@
 #include "simulate/offset_exit_scene.hpp"
 #include "simulate/run_log.hpp"
 #include "simulate/shear_scene.hpp"
+#include "simulate/space_errors.hpp"
 #include "simulate/space_limits.hpp"
 
 namespace bioprint {
@@ -20,13 +21,12 @@ namespace {
 
 constexpr double coarsest = 3.0;    ///< nodes a cell radius
 constexpr double narrowest = 12.5;  ///< nodes a nozzle radius; at 8 a draft's stress was off by 18 to 22 %
-constexpr double nodes_a_thread = 5e4;         ///< fewer lose more by waiting than a second thread wins
-constexpr double longest_in_radii = 40.0;      ///< of travel until the shape must be steady
-constexpr std::size_t averaged = 8;            ///< samples of a velocity
-constexpr double gap_in_nodes = 1.5;           ///< between cell and wall at the start
-constexpr double most_nodes = 4e7;             ///< 90 bytes each
-constexpr double finest = 40.0;                ///< nodes a cell radius
-constexpr double nodes_of_known_errors = 6.0;  ///< a cell radius
+constexpr double nodes_a_thread = 5e4;     ///< fewer lose more by waiting than a second thread wins
+constexpr double longest_in_radii = 40.0;  ///< of travel until the shape must be steady
+constexpr std::size_t averaged = 8;        ///< samples of a velocity
+constexpr double gap_in_nodes = 1.5;       ///< between cell and wall at the start
+constexpr double most_nodes = 4e7;         ///< 90 bytes each
+constexpr double finest = 40.0;            ///< nodes a cell radius
 /// σ_f/μ in shear. Below, the lattice resolves the cell's slow turning in ever more steps, and a draft's viscous stress
 /// is 15 % off at 0.004 and 27 % at 0.003; above, elements of 3 nodes a
 /// radius give a stress that is wrong by 14 % at 2.5 and by 54 % at 2.8, and from 3 on turn inside out.
@@ -379,61 +379,6 @@ int threads_for(const Scene& scene, double nodes, int allowed) {
     return std::clamp(static_cast<int>(useful), 1, std::max(allowed, 1));
 }
 
-/// What is off in a value at 6 nodes a cell radius, from runs at 3, 6 and 12: relative, or of a scale of the scene.
-/// tests/verify/shear_scene_convergence.cpp
-struct KnownError {
-    std::string_view name;
-    double relative;
-    double of_velocity = 0.0;
-    double of_radius = 0.0;
-    double absolute = 0.0;
-};
-constexpr std::array<KnownError, 9> known_errors{
-    {{.name = "stretch", .relative = 0.0155},
-     {.name = "angle", .relative = 0.0, .absolute = 0.01},
-     {.name = "frequency", .relative = 0.0165},
-     {.name = "viscous", .relative = 0.0275},
-     {.name = "cell_velocity", .relative = 0.003},
-     {.name = "radial_position", .relative = 0.0025},
-     {.name = "migration_velocity", .relative = 0.0, .of_velocity = 2e-3},
-     {.name = "peak_position", .relative = 0.0, .of_radius = 0.03},
-     {.name = "relaxation_time", .relative = 0.0206}}};
-constexpr double known_stress_error = 0.025;
-
-double known_error(const Scene& scene, const SimulatedValue& v) {
-    const auto* const known = std::find_if(known_errors.begin(), known_errors.end(),
-                                           [&](const KnownError& e) { return v.name.starts_with(e.name); });
-    if (known == known_errors.end()) {
-        return known_stress_error * std::abs(v.value);
-    }
-    // A cell drawn out in shear turns too fast at 3 nodes: 5 % at σ_f/μ 1, 12 % at 1.4, 28 % at 2.1.
-    const double load = scene.kind == SceneKind::shear ? scene.fluid_stress / scene.cell.shear_modulus : 0.0;
-    const double drawn = known->name == "frequency" ? std::max(1.0, load * load) : 1.0;
-    return drawn * known->relative * std::abs(v.value) + known->of_velocity * scene.velocity_average +
-           known->of_radius * scene.nozzle_radius + known->absolute;
-}
-
-/// Errors fall with the square of the spacing, but for a stress in an ink that thins, where only the first order is
-/// safe (channel at α 0.75: 821, 782 and 765 Pa at 3, 6 and 8.5 nodes). No value is extrapolated: the cell's mesh and
-/// the rounding of the box make single values swing about that trend.
-void estimate_errors(SimulationResult& fine, const SimulationResult* coarse, const Scene& scene,
-                     double nodes) {
-    constexpr double ratio = 2.0;
-    const double refined = nodes_of_known_errors / nodes;
-    for (SimulatedValue& v : fine.values) {
-        v.error = known_error(scene, v) * refined * refined;
-        if (coarse == nullptr) {
-            continue;
-        }
-        for (const SimulatedValue& c : coarse->values) {
-            if (c.name == v.name) {
-                const double gain = v.name.starts_with("von_mises") ? ratio : ratio * ratio;
-                v.error = std::max(v.error, std::abs(v.value - c.value) / (gain - 1.0));
-            }
-        }
-    }
-}
-
 }  // namespace
 
 bool needs_space(const Scene& scene) {
@@ -491,7 +436,7 @@ SimulationResult simulate_in_space(const Scene& scene, const SimulationOptions& 
         }
     }
     if (options.estimate_error) {
-        estimate_errors(fine.result, compared ? &coarse.result : nullptr, scene, nodes);
+        estimate_space_errors(fine.result, compared ? &coarse.result : nullptr, scene, nodes);
     }
     if (coarse.cancelled() && !compared && coarse.updates > 0.0) {
         fine.stop(cancelled_run);
