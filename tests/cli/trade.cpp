@@ -74,7 +74,7 @@ TEST_CASE("trade: a budget takes the most accurate simulation within it") {
 
 TEST_CASE("trade: a simulation is refined within the budget alone") {
     const std::string call = "-q --offset 0 --simulate=channel --shear-modulus 50kPa --tolerance 0.1% --json";
-    const json tight = json::parse(run(call + " --budget 1s").out);
+    const json tight = json::parse(run(call + " --budget 100ms").out);
     CHECK(tight["choice"]["model"] == "draft");
     CHECK(contains(tight["choice"]["reason"], "more than the budget"));
     const json wide = json::parse(run(call + " --budget 10s").out);

@@ -158,7 +158,8 @@ TEST_CASE("simulation in space: a cell too soft or too stiff for its offset is r
     CHECK(message(stiff, 0.0).find("bears the same stress") != std::string::npos);
 }
 
-TEST_CASE("space: a cell so near the wall that a coarser lattice has no room for it is answered by the fine run") {
+TEST_CASE(
+    "space: a cell so near the wall that a coarser lattice has no room for it is answered by the fine run") {
     Scene near = scene(SceneKind::channel, 24.9e-6);
     near.cell = {.radius = 20e-6, .shear_modulus = 50e3};
     SimulationResult result;
