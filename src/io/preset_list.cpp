@@ -38,7 +38,7 @@ std::string aligned(const std::vector<Row>& rows) {
     return out;
 }
 
-std::string inks() {
+std::string ink_list() {
     std::vector<Row> rows = {{"name", "law", "parameters", "at", "grade", "source"}};
     for (const InkPreset& p : ink_presets()) {
         rows.push_back({p.name, std::string(law_name(p.ink)), ink_text(p.ink),
@@ -48,7 +48,7 @@ std::string inks() {
     return aligned(rows);
 }
 
-std::string cells() {
+std::string cell_list() {
     std::vector<Row> rows = {{"name", "radius", "shear modulus", "grade", "what", "source"}};
     for (const CellPreset& p : cell_presets()) {
         rows.push_back({p.name, lab(p.radius, Dimension::length), lab(p.shear_modulus, Dimension::pressure),
@@ -57,7 +57,7 @@ std::string cells() {
     return aligned(rows);
 }
 
-std::string nozzles() {
+std::string nozzle_list() {
     std::vector<Row> rows = {{"name", "radius", "grade", "source"}};
     for (const NozzlePreset& p : nozzle_presets()) {
         rows.push_back({p.name, lab(p.radius, Dimension::length), p.grade, p.source});
@@ -68,9 +68,9 @@ std::string nozzles() {
 }  // namespace
 
 std::string preset_list(std::string_view kind) {
-    if (kind == "inks") return inks();
-    if (kind == "cells") return cells();
-    if (kind == "nozzles") return nozzles();
+    if (kind == "inks") return ink_list();
+    if (kind == "cells") return cell_list();
+    if (kind == "nozzles") return nozzle_list();
     throw UsageError("--list: takes inks, cells or nozzles", "--list");
 }
 
