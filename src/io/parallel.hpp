@@ -16,7 +16,8 @@ namespace bioprint {
 /// here.
 template <class Work>
 void for_each_index(std::size_t count, unsigned jobs, const Work& work) {
-    constexpr std::size_t batch = 16;  // items a thread takes at a time: far above the cost of taking them
+    // Items a thread takes at a time: of many, far above the cost of taking them; of few, which may be long, one.
+    const std::size_t batch = std::clamp<std::size_t>(count / (8 * std::max<std::size_t>(jobs, 1)), 1, 16);
     const auto threads = static_cast<unsigned>(std::min<std::size_t>(jobs, (count + batch - 1) / batch));
     if (threads <= 1) {
         for (std::size_t i = 0; i < count; ++i) work(i);

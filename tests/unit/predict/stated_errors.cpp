@@ -62,9 +62,11 @@ TEST_CASE(
     Case asked = question();
     asked.positions = {{.value = 0.0}};
     asked.ink.law = CrossInk{.eta0 = 10.0, .time_constant = 0.05, .alpha = 0.0};
-    const double usual = *centred_exit(predict(asked)).error;  // G R_c/μ 0.64
+    const CellAnswer usual = centred_exit(predict(asked));  // G R_c/μ 0.64
     asked.drive_value = 8e-3;
-    CHECK(*centred_exit(predict(asked)).error > 1.5 * usual);
+    const CellAnswer softer = centred_exit(predict(asked));
+    CHECK(*softer.error > *usual.error);
+    CHECK(*softer.strain_error > 1.5 * *usual.strain_error);
     asked.drive_value = 12e-3;
     CHECK(nothing_is_known(predict(asked)));
 }
