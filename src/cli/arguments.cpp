@@ -117,7 +117,8 @@ void add_answer_options(CLI::App& app, Raw& raw, Arguments& arguments) {
     app.add_option("--list", raw.list, "show the presets: inks, cells or nozzles")
         ->type_name("KIND")
         ->group(group);
-    app.add_option("-j,--jobs", raw.jobs, "threads of a batch or sweep (default all cores)")
+    app.add_option("-j,--jobs", raw.jobs,
+                   "threads of a batch, sweep, simulation or population (default all cores)")
         ->type_name("N")
         ->group(group);
     app.add_flag("-q,--quiet", arguments.quiet, "no notes, no remarks")->group(group);
@@ -309,6 +310,10 @@ void collect_simulation(const Raw& raw, Arguments& arguments, Problems& problems
             if (given) problems.add(std::string(name) + ": belongs to a simulation; add --simulate", name);
         }
         return;
+    }
+    if (raw.fidelity && (raw.ladder.tolerance || raw.ladder.budget)) {
+        const std::string name = raw.ladder.tolerance ? "--tolerance" : "--budget";
+        problems.add(name + ": chooses the fidelity; leave out --fidelity, or begin at a --resolution", name);
     }
     question.scene = raw.scene;
     arguments.simulation = question;

@@ -44,7 +44,11 @@ std::atomic<bool> interrupted{false};
 
 /// The first Ctrl-C lets the rows at hand be finished; the second one ends the program.
 void on_interrupt(int) {
-    if (interrupted.exchange(true)) std::_Exit(status_interrupted);
+    if (interrupted.exchange(true)) {
+        constexpr std::string_view line = "bioprint-predict: interrupted twice: ended at once\n";
+        (void)!write(STDERR_FILENO, line.data(), line.size());
+        std::_Exit(status_interrupted);
+    }
     // A batch that waits for its next line sees the end of its input.
     const int nothing = open("/dev/null", O_RDONLY);
     if (nothing >= 0) dup2(nothing, STDIN_FILENO);

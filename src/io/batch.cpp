@@ -8,8 +8,8 @@
 #include "io/csv_batch.hpp"
 #include "io/json_lines.hpp"
 #include "io/json_question.hpp"
-#include "io/parallel.hpp"
 #include "io/row_answer.hpp"
+#include "numerics/parallel.hpp"
 
 namespace bioprint {
 namespace {

@@ -5,10 +5,10 @@
 
 #include "bioprint/errors.hpp"
 #include "io/csv.hpp"
-#include "io/parallel.hpp"
 #include "io/row_answer.hpp"
 #include "io/spread_text.hpp"
 #include "io/text.hpp"
+#include "numerics/parallel.hpp"
 
 namespace bioprint {
 namespace {

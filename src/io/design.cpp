@@ -28,8 +28,8 @@ constexpr std::array<std::pair<std::string_view, Key>, 6> sought_words = {
 
 class DesignSearch {
   public:
-    DesignSearch(const DesignQuestion& question, const Settings& base)
-        : question_(question), line_(question, base) {
+    DesignSearch(const DesignQuestion& question, const Settings& base, unsigned jobs)
+        : question_(question), line_(question, base, jobs) {
         // Asked with the value the search begins at, so that what is wrong with the question is found first.
         Case asked = base.make_case();
         drive_ = asked.drive;
@@ -46,7 +46,7 @@ class DesignSearch {
         start_ = std::isfinite(start) ? std::clamp(start, low_, high_) : low_;
         (void)with_value(base, question.sought, line_.value(start_)).make_case();  // says what else is wrong
         tolerance_ = line_.fineness().place;
-        first_step_ = question.sought == Key::alpha ? 0.1 : std::numbers::ln2;
+        first_step_ = question.sought == Key::alpha ? 0.04 : 0.4 * std::numbers::ln2;
     }
 
     Design solve() {
@@ -100,7 +100,7 @@ class DesignSearch {
     int measured_direction(std::size_t limit, int sign) {
         const bool above = steady_flow_ends_above(question_.sought, drive_);
         std::optional<std::pair<double, double>> first;
-        double step = 0.4 * first_step_;
+        const double step = first_step_;
         for (const double turn : {0.0, 1.0, -1.0, -4.0, -10.0, -20.0}) {
             const double s = std::clamp(start_ + turn * step * (above ? 1.0 : -1.0), low_, high_);
             const double e = line_.excess(limit, s);
@@ -209,6 +209,7 @@ class DesignSearch {
         const double distance = std::clamp(other - place_, -reach, reach);
         for (const double part : {0.05, 0.2, 0.5, 1.0}) {
             const double s = std::clamp(place_ + part * distance, low_, high_);
+            if (line_.has_between(s - 0.3 * part * distance, s + 0.3 * part * distance)) continue;
             const DesignLine::Point& point = line_.at(s);
             for (std::size_t i = 0; i < direction_.size(); ++i) {
                 if (point.answered && !point.results[i].holds && design_.limits[i].monotone) {
@@ -290,8 +291,8 @@ Settings with_value(const Settings& base, Key sought, double value) {
     return own.over(base);
 }
 
-Design solve_design(const DesignQuestion& question, const Settings& base) {
-    return DesignSearch(question, base).solve();
+Design solve_design(const DesignQuestion& question, const Settings& base, unsigned jobs) {
+    return DesignSearch(question, base, jobs).solve();
 }
 
 }  // namespace bioprint

@@ -63,9 +63,10 @@ Key sought_key(std::string_view word);
 std::pair<double, double> parse_range(std::string_view text, Key sought);
 
 /// @param base  the question's other settings; `sought` is not among them
+/// @param jobs  threads; the answer does not depend on them
 /// @throws UsageError    the question is none without regard to the value, or a limit has no value anywhere
 /// @throws NoSteadyFlow  nowhere in the range
-Design solve_design(const DesignQuestion& question, const Settings& base);
+Design solve_design(const DesignQuestion& question, const Settings& base, unsigned jobs = 1);
 
 /// The base with the value in place.
 Settings with_value(const Settings& base, Key sought, double value);

@@ -108,10 +108,10 @@ RunResult answer_design(const DesignQuestion& question, const Settings& base, co
     if (options.format == Format::csv && options.paths.empty()) {
         throw UsageError("--format: a design is answered as table, json or jsonl", "--format");
     }
-    const Design design = solve_design(question, base);
+    const Design design = solve_design(question, base, options.jobs);
     Case asked = with_value(base, question.sought, design.value).make_case();
     asked.population = asked.population || needs_population(question.limits);
-    Prediction prediction = predict(asked);
+    Prediction prediction = predict(asked, options.jobs);
     for (const std::string& remark : design.remarks) {
         prediction.warnings.push_back({"design_not_monotone", remark});
     }

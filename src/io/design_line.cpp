@@ -48,8 +48,8 @@ void keep_nearest_position(Case& asked) {
 
 }  // namespace
 
-DesignLine::DesignLine(const DesignQuestion& question, const Settings& base)
-    : question_(question), base_(base) {
+DesignLine::DesignLine(const DesignQuestion& question, const Settings& base, unsigned jobs)
+    : question_(question), base_(base), jobs_(jobs) {
     const auto about = [&](std::string_view begin) {
         return std::any_of(question.limits.begin(), question.limits.end(),
                            [&](const Check& limit) { return limit.path.starts_with(begin); });
@@ -97,7 +97,7 @@ DesignLine::Point DesignLine::predicted(double value) const {
     if (one_cell_is_enough(question_.limits)) keep_nearest_position(asked);
     Point point;
     try {
-        const Json answer = answer_object(predict(asked));
+        const Json answer = answer_object(predict(asked, jobs_));
         for (const Check& limit : question_.limits) {
             point.results.push_back(evaluate(limit, answer, "--limit", false));
         }

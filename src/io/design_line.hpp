@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <string_view>
 #include <utility>
@@ -18,7 +19,7 @@ class DesignLine {
         std::vector<CheckResult> results;
     };
 
-    DesignLine(const DesignQuestion& question, const Settings& base);
+    DesignLine(const DesignQuestion& question, const Settings& base, unsigned jobs);
     /// Places at the ends stand for these values exactly.
     void set_range(std::pair<double, double> range) { range_ = range; }
 
@@ -29,13 +30,18 @@ class DesignLine {
         double place;   ///< of the place sought: where the search ends
         double result;  ///< in the logarithm of a result: what is no sign of a turn
     };
-    /// What is carried in time is known to 2e-4; a population takes 15 ms.
+    /// What is carried in time is known to 2e-4, a population to 1e-3.
     [[nodiscard]] Fineness fineness() const {
-        if (population_) return {.place = 1e-5, .result = 2e-3};
-        if (cells_) return {.place = 1e-5, .result = 1e-3};
+        if (population_) return {.place = 1e-4, .result = 2e-3};
+        if (cells_) return {.place = 1e-4, .result = 1e-3};
         return {.place = 1e-9, .result = 1e-4};
     }
     [[nodiscard]] const std::map<double, Point>& points() const { return points_; }
+    /// True when a prediction was made between these places.
+    [[nodiscard]] bool has_between(double one, double other) const {
+        const auto next = points_.lower_bound(std::min(one, other));
+        return next != points_.end() && next->first <= std::max(one, other);
+    }
 
     const Point& at(double place);
 
@@ -49,6 +55,7 @@ class DesignLine {
 
     const DesignQuestion& question_;
     const Settings& base_;
+    unsigned jobs_;
     std::pair<double, double> range_;
     bool cells_ = false;
     bool population_ = false;

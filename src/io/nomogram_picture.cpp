@@ -4,9 +4,9 @@
 
 #include "bioprint/errors.hpp"
 #include "bioprint/io/presets.hpp"
-#include "io/parallel.hpp"
 #include "io/prediction_pictures.hpp"
 #include "io/table.hpp"
+#include "numerics/parallel.hpp"
 
 // Stress over flow rate for the needles of one kind.
 

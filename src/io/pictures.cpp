@@ -2,12 +2,12 @@
 
 #include "bioprint/errors.hpp"
 #include "io/gnuplot.hpp"
-#include "io/parallel.hpp"
 #include "io/prediction_pictures.hpp"
 #include "io/report.hpp"
 #include "io/row_answer.hpp"
 #include "io/simulation_picture.hpp"
 #include "io/sweep_picture.hpp"
+#include "numerics/parallel.hpp"
 
 namespace bioprint {
 namespace {

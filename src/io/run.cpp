@@ -7,8 +7,8 @@
 #include "io/answer_object.hpp"
 #include "io/answer_path.hpp"
 #include "io/csv_columns.hpp"
-#include "io/parallel.hpp"
 #include "io/row_answer.hpp"
+#include "numerics/parallel.hpp"
 
 namespace bioprint {
 namespace {
@@ -43,7 +43,7 @@ Json answer_of(const Prediction& prediction, const RunOptions& options) {
 /// One question, whose refusal is the call's refusal.
 void answer_one(const Settings& row, const RunOptions& options, const Sink& sink, const Sink& notice,
                 CheckTally& tally, RunResult& result) {
-    Prediction prediction = predict(row.make_case());
+    Prediction prediction = predict(row.make_case(), options.jobs);
     if (const auto missed = options.ladder ? shortfall(*options.ladder) : std::nullopt) {
         prediction.warnings.push_back(*missed);
         result.short_of = missed->message;

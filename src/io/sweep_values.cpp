@@ -5,9 +5,9 @@
 
 #include "bioprint/errors.hpp"
 #include "io/answer_path.hpp"
-#include "io/parallel.hpp"
 #include "io/row_answer.hpp"
 #include "io/uncertainty.hpp"
+#include "numerics/parallel.hpp"
 
 namespace bioprint {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "bioprint/errors.hpp"
 #include "bioprint/io/number_format.hpp"
-#include "io/parallel.hpp"
+#include "numerics/parallel.hpp"
 #include "numerics/quasi_random.hpp"
 #include "numerics/sample_statistics.hpp"
 
@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::array<const char*, 5> sections = {"nozzle", "exit", "cells", "passages", "population"};
 constexpr std::size_t usual_samples = 1024;
-constexpr std::size_t population_samples = 256;  // each takes some 20 ms
+constexpr std::size_t population_samples = 256;  // each takes some 8 ms
 
 std::string_view kind_name(SpreadKind kind) {
     switch (kind) {

@@ -109,7 +109,11 @@ std::string measure_better(const Json& answer) {
                    ") makes what the other inputs leave of the " + of + ": " + percent(left);
         }
         if (shares.size() < 2 || best.empty()) return {};
-        return "Most of the " + of + " is that of " + best + ": " + percent(largest);
+        return ("Most of the " + of)
+            .append(" is that of ")
+            .append(best)
+            .append(": ")
+            .append(percent(largest));
     }
     return {};
 }

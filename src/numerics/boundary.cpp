@@ -57,10 +57,10 @@ Bracket expand(const std::function<double(double)>& excess, const BoundaryReques
         const double reach = upwards ? std::min(end, last.s + step) : std::max(end, last.s - step);
         const Place next{reach, excess(reach)};
         if ((next.excess <= 0.0) != upwards) return upwards ? Bracket{last, next} : Bracket{next, last};
-        // Twice as far, or a little beyond where the line through the last two leads, if that is nearer.
+        // A little beyond where the line through the last two leads, but not much further than so far.
         const std::optional<double> aim = secant(last, next);
         const double ahead = aim ? (*aim - next.s) * (upwards ? 1.0 : -1.0) : 0.0;
-        step = ahead > 0.0 ? std::min(2.0 * step, 1.3 * ahead + request.tolerance) : 2.0 * step;
+        step = ahead > 0.0 ? std::min(4.0 * step, 1.3 * ahead + request.tolerance) : 2.0 * step;
         last = next;
     }
     throw NotConverged("search for a limit: no end of the range was reached in 200 steps");

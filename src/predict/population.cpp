@@ -8,6 +8,7 @@
 #include "bioprint/cell/bullet.hpp"
 #include "bioprint/errors.hpp"
 #include "bioprint/predict/exit_passage.hpp"
+#include "numerics/parallel.hpp"
 #include "predict/exit_field.hpp"
 #include "predict/streamline.hpp"
 
@@ -15,6 +16,7 @@ namespace bioprint {
 namespace {
 
 constexpr std::size_t rings = 4000;
+constexpr double near_enough = 5e-4;  // of the two peaks where they change places
 
 /// Cubic interpolation that keeps the data's monotony (Fritsch and Carlson 1980).
 class Monotone {
@@ -140,6 +142,7 @@ void refine_change(std::vector<Streamline>& lines, const Follow& follow) {
         const double r = a + (b - a) * std::clamp(part, 0.1, 0.9);
         const auto at = lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(index),
                                      {.radius = r, .passage = follow(r)});
+        if (std::abs(excess(index)) < near_enough * at->passage.nozzle_peak) return;
         if (at->passage.place == StreamlinePlace::exit) ++index;
     }
 }
@@ -161,12 +164,13 @@ Population population(const NozzleFlow& flow, const PopulationRequest& request) 
                                    .length = request.length},
                                   [](const StreamlineState&) {});
     };
-    std::vector<Streamline> lines;
-    for (int i = 0; i < request.nodes; ++i) {
+    std::vector<Streamline> lines(static_cast<std::size_t>(request.nodes));
+    for_each_index(lines.size(), request.jobs, [&](std::size_t i) {
         // Chebyshev's points: dense at both ends, where the interpolation has one side only.
-        const double place = 0.5 * (1.0 - std::cos(std::numbers::pi * i / (request.nodes - 1)));
-        lines.push_back({.radius = outermost * place, .passage = follow(outermost * place)});
-    }
+        const double angle = std::numbers::pi * static_cast<double>(i) / (request.nodes - 1);
+        const double r = outermost * 0.5 * (1.0 - std::cos(angle));
+        lines[i] = {.radius = r, .passage = follow(r)};
+    });
     refine_change(lines, follow);
     Population result{};
     std::vector<double> exposure;

@@ -144,7 +144,7 @@ CellAnswer cell_in_exit(const NozzleFlow& flow, const ExitAnswer& exit, const Ce
     return answer;
 }
 
-void add_population(const NozzleFlow& flow, Prediction& prediction) {
+void add_population(const NozzleFlow& flow, unsigned jobs, Prediction& prediction) {
     const Case& question = prediction.question;
     if (flow.velocity_average() == 0.0) {
         prediction.warnings.push_back({"no_population", "nothing flows, so no cell is printed"});
@@ -155,7 +155,8 @@ void add_population(const NozzleFlow& flow, Prediction& prediction) {
                                                   .shear_modulus = question.cell.shear_modulus,
                                                   .viscosity_ratio = question.cell.viscosity_ratio,
                                                   .length = question.length,
-                                                  .thresholds = question.thresholds});
+                                                  .thresholds = question.thresholds,
+                                                  .jobs = jobs});
     } catch (const Error& e) {
         prediction.warnings.push_back(
             {"no_population", std::string("the cells could not all be followed: ") + e.what()});
@@ -202,7 +203,7 @@ void require_finite(const CellAnswer& cell) {
 
 }  // namespace
 
-Prediction predict(const Case& question) {
+Prediction predict(const Case& question, unsigned jobs) {
     require_sound(question);
     const NozzleFlow flow = flow_of(question);
     const NozzleExit exit = nozzle_exit(flow);
@@ -230,7 +231,7 @@ Prediction predict(const Case& question) {
     if (!std::isfinite(flow.pressure_gradient() * question.cell.radius / question.cell.shear_modulus))
         refuse_range();
     for (const CellAnswer& cell : prediction.cells) require_finite(cell);
-    if (question.population) add_population(flow, prediction);
+    if (question.population) add_population(flow, jobs, prediction);
     if (question.profile_points > 0) prediction.profile = profile_of(flow, question.profile_points);
     judge_steady_models(prediction, flow);
     state_errors(prediction, flow);

@@ -258,15 +258,26 @@ class Pictures(Case):
         self.assertEqual(self.names(), ["empty"])
 
     def test_an_interrupt_while_gnuplot_draws_is_told_and_leaves_no_file(self):
-        """Ctrl-C reaches gnuplot as well, which then ends without a picture."""
+        """Ctrl-C reaches gnuplot as well, which then ends without a picture. One Ctrl-C, however many draw."""
         folder = self.folder / "bin"
         folder.mkdir()
-        (folder / "gnuplot").write_text("#!/bin/sh\nkill -INT $PPID\nexit 130\n")
+        pressed = folder / "pressed"
+        (folder / "gnuplot").write_text(f"#!/bin/sh\nmkdir '{pressed}' 2>/dev/null && kill -INT $PPID\nexit 130\n")
         (folder / "gnuplot").chmod(0o755)
         for arguments in (["--plot", "p.svg"], ["--report", "r.html"], ["--velocity", "1:5:1mm/s", "--plot", "p.svg"]):
+            shutil.rmtree(pressed, ignore_errors=True)
             self.call("-q", *arguments, "-o", "answer.txt", status=130, env={"PATH": f"{folder}:/usr/bin:/bin"})
             self.assertIn("interrupted; no file was written", self.err)
             self.assertEqual(self.names(), ["bin"])
+
+    def test_a_second_interrupt_ends_at_once_and_is_told(self):
+        folder = self.folder / "bin"
+        folder.mkdir()
+        (folder / "gnuplot").write_text("#!/bin/sh\nkill -INT $PPID\nsleep 0.3\nkill -INT $PPID\nexit 130\n")
+        (folder / "gnuplot").chmod(0o755)
+        self.call("-q", "--plot", "p.svg", "-o", "answer.txt", status=130, env={"PATH": f"{folder}:/usr/bin:/bin"})
+        self.assertEqual(self.err, "bioprint-predict: interrupted twice: ended at once\n")
+        self.assertEqual(self.names(), ["bin"])
 
     def test_a_gnuplot_that_fails_is_heard(self):
         folder = self.folder / "bin"

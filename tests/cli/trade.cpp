@@ -224,9 +224,11 @@ TEST_CASE("trade: the time of a batch is that of its own rows") {
 }
 
 TEST_CASE("trade: what does not fit together is refused") {
-    for (const char* call : {"--tolerance 0", "--tolerance 300%", "--tolerance 5s", "--budget 0s",
-                             "--budget 5mm", "--tolerance 5% --model steady", "--tolerance 5% --alpha 0,0.3",
-                             "--explain --batch rows.csv", "--simulate --tolerance 5% --out kept"}) {
+    for (const char* call :
+         {"--tolerance 0", "--tolerance 300%", "--tolerance 5s", "--budget 0s", "--budget 5mm",
+          "--tolerance 5% --model steady", "--tolerance 5% --alpha 0,0.3", "--explain --batch rows.csv",
+          "--simulate --tolerance 5% --out kept", "--simulate --tolerance 5% --fidelity draft",
+          "--simulate --fidelity fine --budget 1min"}) {
         const Outcome outcome = run(call);
         CAPTURE(call);
         CHECK(outcome.status == 2);

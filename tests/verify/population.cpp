@@ -51,6 +51,19 @@ TEST_CASE("population: sixteen streamlines give what ninety-six give to a thousa
     }
 }
 
+TEST_CASE("population: the number of threads does not change a bit") {
+    const NozzleFlow flow = nozzle(0.75);
+    PopulationRequest request = cells();
+    const Population alone = population(flow, request);
+    request.jobs = 3;
+    const Population shared = population(flow, request);
+    CHECK(alone.radius == shared.radius);
+    CHECK(alone.nozzle_peak == shared.nozzle_peak);
+    CHECK(alone.exit_peak == shared.exit_peak);
+    CHECK(alone.peak_stress.percentile_95 == shared.peak_stress.percentile_95);
+    CHECK(alone.exposure->mean == shared.exposure->mean);
+}
+
 TEST_CASE(
     "population: where the nozzle decides a percentile is the stress at the radius that carries that flux") {
     // Newtonian, settled: the flux within r is 2(r/R)² − (r/R)⁴ of the whole, counted up to the outermost

@@ -54,7 +54,7 @@ struct Case {
     std::optional<NeedleChoice> needle;
     bool transient =
         true;  ///< also carry the cells through nozzle and exit in time (model "ellipsoid"); ~0.2 ms each
-    bool population = false;              ///< also the distribution over all cells of a print; ~20 ms
+    bool population = false;              ///< also the distribution over all cells of a print; ~8 ms
     std::vector<double> thresholds = {};  ///< stresses whose excess the population is asked for [Pa]
     int profile_points = 0;               ///< radial profile from axis to wall; 0: none, else at least 2
 };

@@ -15,7 +15,7 @@
 ///
 /// Deterministic: `nodes` streamlines, their peaks interpolated over the radius.
 /// Accuracy of the quadrature: 1e-3 of every number.                    tests/verify/population.cpp
-/// Cost: 20 ms.                                                            tests/bench/exit_passage.cpp
+/// Cost: 6 to 10 ms on one core.                                           tests/bench/exit_passage.cpp
 namespace bioprint {
 
 struct PopulationRequest {
@@ -25,6 +25,7 @@ struct PopulationRequest {
     std::optional<double> length = {};    ///< nozzle length [m]; none: settled, and no exposure in the nozzle
     std::vector<double> thresholds = {};  ///< von Mises stresses [Pa] whose excess is asked for
     int nodes = 16;                       ///< streamlines, at least 4
+    unsigned jobs = 1;                    ///< threads; the answer does not depend on them
 };
 
 struct Distribution {

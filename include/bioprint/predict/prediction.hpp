@@ -111,9 +111,10 @@ struct Prediction {
 };
 
 /// Answers a case: flow, exit, and each cell's stress and strain.
+/// @param jobs  threads that the population may take; the answer does not depend on them
 /// @throws UsageError    the case is not sound (`problems_of`)
 /// @throws NoSteadyFlow  the ink cannot bear the load, or the inputs are so far apart that no number holds the answer
 /// @throws NotConverged  a stress ratio above 1e40
-Prediction predict(const Case& question);
+Prediction predict(const Case& question, unsigned jobs = 1);
 
 }  // namespace bioprint
