@@ -68,6 +68,9 @@ std::string fit_preset_text(const FitAnswer& answer);
 /// @throws UsageError  there is none
 std::string fit_values_text(const FitAnswer& answer, const std::vector<std::string>& paths);
 
+/// The ink with the parameters as they are printed; whether a prediction takes it is another matter.
+Ink fitted_ink(const LawFit& fit);
+
 /// The ink as options of a prediction, whatever its law: "--eta0 10Pa.s -K 0.05s --alpha 0.75".
 std::string fit_options_line(const FitAnswer& answer);
 

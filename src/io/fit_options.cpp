@@ -27,6 +27,36 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 8> names = {
 
 }  // namespace
 
+Ink fitted_ink(const LawFit& fit) {
+    const auto value = [&](std::string_view name) {
+        const FittedParameter* const parameter = fit.find(name);
+        return parameter != nullptr ? fit_rounded(parameter->value) : 0.0;
+    };
+    const double eta_inf = fit.find("eta_inf") != nullptr ? value("eta_inf") : fit.eta_inf;
+    switch (fit.choice.law) {
+        case FittedLaw::power_law:
+            return PowerLawInk{.consistency = value("consistency"), .flow_index = value("flow_index")};
+        case FittedLaw::carreau_yasuda:
+            return CarreauYasudaInk{.eta0 = value("eta0"),
+                                    .eta_inf = eta_inf,
+                                    .time_constant = value("time_constant"),
+                                    .transition = value("transition"),
+                                    .flow_index = value("flow_index")};
+        case FittedLaw::herschel_bulkley:
+            return HerschelBulkleyInk{.yield_stress = value("yield_stress"),
+                                      .consistency = value("consistency"),
+                                      .flow_index = value("flow_index")};
+        case FittedLaw::newtonian:
+            return CrossInk{.eta0 = 2.0 * value("eta0"), .time_constant = 1.0, .alpha = 0.0};
+        case FittedLaw::cross:
+            break;
+    }
+    return CrossInk{.eta0 = value("eta0"),
+                    .eta_inf = eta_inf,
+                    .time_constant = value("time_constant"),
+                    .alpha = value("alpha")};
+}
+
 std::string fit_options_line(const FitAnswer& answer) {
     const LawFit& fit = answer.chosen;
     if (fit.choice.law == FittedLaw::newtonian) {

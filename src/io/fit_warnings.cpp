@@ -4,6 +4,7 @@
 #include <map>
 
 #include "bioprint/io/number_format.hpp"
+#include "bioprint/predict/case.hpp"
 #include "io/fit_answer.hpp"
 
 // What a fit cannot know, said before it is used.
@@ -240,6 +241,10 @@ std::vector<Warning> fit_warnings(const FitAnswer& answer) {
             {.code = "stress_maximum",
              .message = "alpha is above 1: the stress falls at high rates, and past its maximum there is no "
                         "steady flow"});
+    }
+    for (const std::string& problem : problems_of(fitted_ink(fit))) {
+        warnings.push_back({.code = "not_predicted",
+                            .message = "no prediction takes this ink: " + problem + "; fit another law"});
     }
     add_interval_difference(answer, warnings);
     return warnings;

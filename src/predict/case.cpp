@@ -95,6 +95,12 @@ void check_positions(const Case& question, Findings& findings) {
 
 }  // namespace
 
+std::vector<std::string> problems_of(const Ink& ink) {
+    Findings findings;
+    std::visit([&](const auto& law) { check_law(law, findings); }, ink);
+    return findings.take();
+}
+
 std::vector<std::string> problems_of(const Case& question) {
     Findings findings;
     const CellChoice& cell = question.cell;

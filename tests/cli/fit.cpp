@@ -174,6 +174,13 @@ TEST_CASE("fit command: what leaves a parameter open is called by its name") {
     CHECK(contains(thickening, "n = 1.3"));
     CHECK_FALSE(contains(thickening, "Newtonian between"));
     CHECK_FALSE(contains(notes("--law power-law", thick, 0.02), "thickening"));
+    // More than any prediction takes.
+    const auto steep = [](double rate) { return std::pow(rate, 1.4); };
+    CHECK(contains(notes("--law power-law", steep, 0.02),
+                   "not_predicted: no prediction takes this ink: flow-index: got 2.4"));
+    const auto falling = [](double rate) { return 20.0 / (1.0 + std::pow(3.0 * rate, 1.3)); };
+    CHECK(contains(notes("--law carreau-yasuda", falling, 0.001), "not_predicted"));
+    CHECK_FALSE(contains(notes("--law cross", falling, 0.001), "not_predicted"));
     // Five decades that thin fully: it is the law, or the scatter.
     const auto floor = [](double rate) { return 0.3 + 50.0 / (1.0 + std::pow(3.0 * rate, 0.9)); };
     const std::string wrong_law = notes("", floor, 0.02);

@@ -62,5 +62,7 @@ struct Case {
 /// Every way in which a case is not a case: negative sizes, numbers that are not finite, a cell that does not
 /// fit. Each sentence names the quantity, its value and the remedy. Empty when the case is sound.
 std::vector<std::string> problems_of(const Case& question);
+/// The same of an ink alone.
+std::vector<std::string> problems_of(const Ink& ink);
 
 }  // namespace bioprint
