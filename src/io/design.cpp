@@ -51,11 +51,16 @@ class DesignSearch {
 
     Design solve() {
         find_directions();
-        const Boundary upper = end_of(1);
-        const Boundary lower = end_of(-1);
+        Boundary upper = end_of(1);
+        Boundary lower = end_of(-1);
         require_answers();
-        const bool possible =
-            upper.inside && lower.inside && -*lower.inside <= *upper.inside && constants_hold();
+        bool possible = upper.inside && lower.inside && -*lower.inside <= *upper.inside && constants_hold();
+        if (const std::optional<double> inside = contradiction(upper, lower, possible)) {
+            around_ = *inside;
+            upper = end_of(1);
+            lower = end_of(-1);
+            possible = true;
+        }
         possible ? settle(upper, lower) : approach();
         if (possible) look_around(upper, lower);
         judge_monotony();
@@ -77,11 +82,12 @@ class DesignSearch {
     Boundary end_of(int side) {
         const double low = side > 0 ? low_ : -high_;
         const double high = side > 0 ? high_ : -low_;
-        const bool idle = std::find(direction_.begin(), direction_.end(), side) == direction_.end() &&
+        const bool idle = !around_ &&
+                          std::find(direction_.begin(), direction_.end(), side) == direction_.end() &&
                           (side > 0) != steady_flow_ends_above(question_.sought, drive_);
         if (idle) return {.inside = high, .outside = std::nullopt};
         return find_boundary([&](double s) { return worst(side, side * s); },
-                             request(low, high, side * start_));
+                             request(low, high, side * around_.value_or(start_)));
     }
 
     void find_directions() {
@@ -116,6 +122,24 @@ class DesignSearch {
         return above ? sign : -sign;
     }
 
+    /// What was measured near the start need not hold at the ends of the range: a limit may turn on the way. Where
+    /// what was found is contradicted there, the place nearest to the start that keeps all limits, around which
+    /// they are then looked for on both sides.
+    std::optional<double> contradiction(const Boundary& upper, const Boundary& lower, bool possible) {
+        const auto measured = [](const LimitStand& limit) { return !limit.by_theory; };
+        if (std::none_of(design_.limits.begin(), design_.limits.end(), measured)) return std::nullopt;
+        const bool high = broken_by(high_) <= 0.0;
+        const bool low = broken_by(low_) <= 0.0;
+        const bool agrees = possible ? (upper.outside || high) && (lower.outside || low) : !(high || low);
+        if (agrees) return std::nullopt;
+        std::optional<double> nearest;
+        for (const auto& [s, point] : line_.points()) {
+            if (nearest && std::abs(s - start_) >= std::abs(*nearest - start_)) continue;
+            if (broken_by(s) <= 0.0) nearest = s;
+        }
+        return nearest;
+    }
+
     [[nodiscard]] bool constants_hold() {
         for (std::size_t i = 0; i < direction_.size(); ++i) {
             if (direction_[i] != 0 || line_.excess(i, start_) <= 0.0) continue;
@@ -127,11 +151,11 @@ class DesignSearch {
 
     /// By how much the worst of the limits that are broken on one side is broken.
     double worst(int side, double place) {
-        const bool ends_here = (side > 0) == steady_flow_ends_above(question_.sought, drive_);
+        const bool ends_here = around_ || (side > 0) == steady_flow_ends_above(question_.sought, drive_);
         double excess = -1e300;
         if (!line_.at(place).answered) return ends_here ? infinity : excess;
         for (std::size_t i = 0; i < direction_.size(); ++i) {
-            if (direction_[i] == side) excess = std::max(excess, line_.excess(i, place));
+            if (around_ || direction_[i] == side) excess = std::max(excess, line_.excess(i, place));
         }
         return excess;
     }
@@ -175,7 +199,7 @@ class DesignSearch {
         design_.steady_flow_binds = !line_.at(*outside).answered;
         for (std::size_t i = 0; i < direction_.size(); ++i) {
             design_.limits[i].binds =
-                direction_[i] == (design_.largest ? 1 : -1) && line_.excess(i, *outside) > 0.0;
+                (around_ || direction_[i] == (design_.largest ? 1 : -1)) && line_.excess(i, *outside) > 0.0;
         }
     }
 
@@ -197,6 +221,22 @@ class DesignSearch {
         if (!line_.at(place_).answered && meeting.outside && line_.at(*meeting.outside).answered) {
             place_ = *meeting.outside;
         }
+        // A limit that turns may be broken by less elsewhere.
+        double least = broken_by(place_);
+        for (const auto& [s, point] : line_.points()) {
+            if (const double excess = broken_by(s); excess < least - line_.fineness().result) {
+                least = excess;
+                place_ = s;
+            }
+        }
+    }
+
+    /// By how much the worst of all limits is broken.
+    double broken_by(double place) {
+        double excess = -1e300;
+        if (!line_.at(place).answered) return infinity;
+        for (std::size_t i = 0; i < direction_.size(); ++i) excess = std::max(excess, line_.excess(i, place));
+        return excess;
     }
 
     /// Limits whose direction was measured are looked at inside the interval, too.
@@ -207,7 +247,7 @@ class DesignSearch {
         const double other = design_.largest ? -*lower.inside : *upper.inside;
         const double reach = question_.sought == Key::alpha ? 1.0 : std::log(100.0);
         const double distance = std::clamp(other - place_, -reach, reach);
-        for (const double part : {0.05, 0.2, 0.5, 1.0}) {
+        for (const double part : {0.05, 0.2, 0.5}) {
             const double s = std::clamp(place_ + part * distance, low_, high_);
             if (line_.has_between(s - 0.3 * part * distance, s + 0.3 * part * distance)) continue;
             const DesignLine::Point& point = line_.at(s);
@@ -249,6 +289,7 @@ class DesignSearch {
     double low_ = 0.0;
     double high_ = 0.0;
     double start_ = 0.0;
+    std::optional<double> around_;  ///< a place that keeps all limits, where one of them turns
     double place_ = 0.0;
     double tolerance_ = 0.0;
     double first_step_ = 0.0;

@@ -56,15 +56,18 @@ std::string headline(const DesignQuestion& question, const Design& design) {
     const auto text = [&](double value) { return lab_text(value, *info.dimension); };
     const std::string range = text(design.range.first) + " to " + text(design.range.second);
     const std::string side = design.largest ? "largest" : "smallest";
+    const bool monotone = std::all_of(design.limits.begin(), design.limits.end(),
+                                      [](const LimitStand& limit) { return limit.monotone; });
     switch (design.outcome) {
         case DesignOutcome::found:
-            return "the " + side + " " + name + " that keeps the limits is " + text(design.value);
+            return "the " + side + " " + name + (monotone ? "" : " of an interval") +
+                   " that keeps the limits is " + text(design.value);
         case DesignOutcome::unlimited:
             return "every " + name + " from " + range + " keeps the limits; the " + side + " is " +
                    text(design.value);
         case DesignOutcome::impossible:
-            return "no " + name + " from " + range + " keeps the limits; the closest is " +
-                   text(design.value);
+            return "no " + name + (monotone ? "" : " that was tried") + " from " + range +
+                   " keeps the limits; the closest is " + text(design.value);
     }
     return "";
 }
@@ -86,7 +89,9 @@ std::string design_section(const DesignQuestion& question, const Design& design,
                         stand.result.value ? lab_text(*stand.result.value, limit.dimension) : "no value",
                         margin, !stand.result.holds ? "BROKEN" : (stand.binds ? "binds" : "")});
         // At the limit but for the last digits, the margin is that of the search.
-        if (stand.binds && stand.result.holds) rows.back()[3] = "0";
+        constexpr double search = 1e-3;
+        const bool at_limit = stand.result.margin && *stand.result.margin <= search * std::abs(limit.limit);
+        if (stand.binds && stand.result.holds && at_limit) rows.back()[3] = "0";
     }
     std::string text = table_heading("Design: " + headline(question, design), style) + table_grid(rows, 1);
     if (design.kept && design.outcome == DesignOutcome::found) {

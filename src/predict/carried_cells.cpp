@@ -111,6 +111,7 @@ void CarriedCells::add(const NozzleFlow& flow, double offset, Prediction& predic
     CellAnswer nozzle = blank_cell(Place::nozzle, Model::ellipsoid, offset, flow.stress(offset), cell);
     CellAnswer exit = blank_cell(Place::exit, Model::ellipsoid, offset, 0.0, cell);
     exit.relaxation_time = relaxation_time_;
+    bool from_entrance = false;
     try {
         const StreamlinePassage way = streamline_passage(flow, *field_, size_,
                                                          {.start_radius = offset,
@@ -122,16 +123,21 @@ void CarriedCells::add(const NozzleFlow& flow, double offset, Prediction& predic
         fill(nozzle, way.nozzle_end, cell);
         fill(exit, way.exit, cell);
         prediction.passages.push_back(passage_answer(way, offset, cell));
+        from_entrance = prediction.question.length.has_value();
     } catch (const Error& e) {
         warn_once(prediction, "no_transient",
                   std::string("a cell could not be followed through nozzle and exit: ") + e.what());
     }
-    if (centred) return add_centred_exit(prediction);
-    prediction.cells.push_back(nozzle);
+    if (centred && !(from_entrance && size_.axis())) return add_centred_exit(prediction);
+    if (!centred) prediction.cells.push_back(nozzle);
+    if (centred) {
+        exit.angle.reset();
+        if (exit.stress) exit.stress->viscous = 0.0;
+    }
     prediction.cells.push_back(exit);
 }
 
-/// From the passage on the axis itself, at the moment of its largest stress.
+/// From the passage on the axis itself, of a cell settled in the nozzle, at the moment of its largest stress.
 void CarriedCells::add_centred_exit(Prediction& prediction) const {
     const CellChoice& cell = prediction.question.cell;
     CellAnswer answer = blank_cell(Place::exit, Model::ellipsoid, 0.0, 0.0, cell);

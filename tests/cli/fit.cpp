@@ -177,7 +177,7 @@ TEST_CASE("fit command: what leaves a parameter open is called by its name") {
     // More than any prediction takes.
     const auto steep = [](double rate) { return std::pow(rate, 1.4); };
     CHECK(contains(notes("--law power-law", steep, 0.02),
-                   "not_predicted: no prediction takes this ink: flow-index: got 2.4"));
+                   "not_predicted: no prediction takes this ink: flow-index: got 2."));
     const auto falling = [](double rate) { return 20.0 / (1.0 + std::pow(3.0 * rate, 1.3)); };
     CHECK(contains(notes("--law carreau-yasuda", falling, 0.001), "not_predicted"));
     CHECK_FALSE(contains(notes("--law cross", falling, 0.001), "not_predicted"));

@@ -195,6 +195,40 @@ TEST_CASE("design: alpha is sought between 0 and 1 and its direction is measured
     CHECK(design.value < 0.5);
 }
 
+TEST_CASE("design: where a limit turns what the ends of the range say is heard") {
+    // The exposure of a print at a given flow rises with the radius and falls again.
+    const Settings wide = settings({{Key::flow_rate, "141uL/h"}, {Key::length, "12.7mm"}});
+    const DesignQuestion both{
+        .sought = Key::radius,
+        .limits = {limit("population.exposure.p95<2kPa.s"), limit("nozzle.stress_max<300Pa")}};
+    const Design design = solve_design(both, wide);
+    CHECK(design.outcome == DesignOutcome::found);
+    CHECK_FALSE(design.largest);
+    CHECK_FALSE(design.limits[0].monotone);
+    CHECK(design.limits[0].binds);
+    CHECK(all_hold(judged(both, wide, design.value)));
+    CHECK_FALSE(all_hold(judged(both, wide, *design.beyond)));
+    // On the small side it is kept as well; the other interval is told of.
+    const DesignQuestion exposure{.sought = Key::radius, .limits = {limit("population.exposure.p95<2kPa.s")}};
+    const Design small = solve_design(exposure, wide);
+    CHECK(small.largest);
+    CHECK_FALSE(small.limits[0].monotone);
+    CHECK_FALSE(small.remarks.empty());
+    // Kept where the search begins, and not at the end nobody went to.
+    const DesignQuestion share{.sought = Key::flow_rate,
+                               .limits = {limit("population.share_peaking_at_exit<0.2")}};
+    const Design flow = solve_design(share, Settings());
+    CHECK(flow.outcome == DesignOutcome::found);
+    CHECK_FALSE(flow.largest);
+    CHECK(all_hold(judged(share, Settings(), flow.value)));
+    CHECK_FALSE(all_hold(judged(share, Settings(), *flow.beyond)));
+    // Nowhere kept: the closest is that of all places tried.
+    const Design none = solve_design(
+        {.sought = Key::flow_rate, .limits = {limit("population.share_peaking_at_exit<0.1")}}, Settings());
+    CHECK(none.outcome == DesignOutcome::impossible);
+    CHECK(*none.limits[0].result.value < 0.2);
+}
+
 TEST_CASE("design: a limit without a value anywhere is a mistake of the call") {
     CHECK_THROWS_AS(solve_design({.sought = Key::velocity, .limits = {limit("nozzle.pressure_drop<3bar")}},
                                  settings({{Key::radius, "100um"}})),
