@@ -8,6 +8,7 @@
 #include "io/csv_batch.hpp"
 #include "io/json_lines.hpp"
 #include "io/json_question.hpp"
+#include "io/processor_time.hpp"
 #include "io/row_answer.hpp"
 #include "numerics/parallel.hpp"
 
@@ -92,6 +93,7 @@ RunResult run_json_lines(ByteSource& source, const BatchInput& input, const RunO
             lines.push_back(std::move(reader.line()));
         }
         texts.assign(lines.size(), {});
+        const double rows_begin = processor_time();
         for_each_index(lines.size(), options.jobs, [&](std::size_t i) {
             const Json id = take_id(lines[i]);
             const auto question = [&] {
@@ -107,6 +109,7 @@ RunResult run_json_lines(ByteSource& source, const BatchInput& input, const RunO
             };
             texts[i] = writer.answer(question, id);
         });
+        result.row_time += processor_time() - rows_begin;
         for (RowText& text : texts) {
             sink(writer.placed(text.text, result.rows));
             ++result.rows;

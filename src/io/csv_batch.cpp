@@ -5,6 +5,7 @@
 
 #include "bioprint/errors.hpp"
 #include "io/csv.hpp"
+#include "io/processor_time.hpp"
 #include "io/row_answer.hpp"
 #include "io/spread_text.hpp"
 #include "io/text.hpp"
@@ -155,7 +156,9 @@ class CsvBatch {
             passed += known;
             rows_.erase(rows_.begin(), rows_.begin() + static_cast<std::ptrdiff_t>(known));
             result.read += rows_.size();
+            const double rows_begin = processor_time();
             for_each_index(rows_.size(), options_.jobs, [&](std::size_t i) { answer(rows_[i]); });
+            result.row_time += processor_time() - rows_begin;
             for (Row& row : rows_) {
                 if (!row.blank) {
                     result.refused += row.refused ? 1 : 0;

@@ -1,11 +1,11 @@
 #include "io/dry_run.hpp"
 
 #include <algorithm>
-#include <ctime>
 
 #include "bioprint/errors.hpp"
 #include "bioprint/io/number_format.hpp"
 #include "io/batch.hpp"
+#include "io/processor_time.hpp"
 #include "io/row_answer.hpp"
 
 namespace bioprint {
@@ -16,12 +16,6 @@ constexpr double prediction_memory = 10e6;  ///< [B]; does not grow with the row
 constexpr std::size_t timed_places = 4;     ///< of a batch or sweep, where rows are timed
 constexpr std::size_t rows_a_place = 3;
 constexpr std::string_view schema = "bioprint-predict/plan/1";
-
-double processor_time() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 std::string duration(double time) {
     return lab_text(time, Dimension::time, 2);
@@ -49,11 +43,10 @@ void add_piece(const PlannedWork& work, const Shard& piece, Sample& sample) {
     options.ladder.reset();
     if (options.format == Format::table || options.format == Format::json) options.format = Format::jsonl;
     const auto nothing = [](std::string_view) {};
-    const double begin = processor_time();
     const RunResult result = work.batch ? run_batch({.file = *work.batch, .defaults = work.sweep.fixed()},
                                                     std::nullopt, options, nothing, nothing)
                                         : run_sweep(work.sweep, options, nothing, nothing);
-    sample.time += processor_time() - begin;
+    sample.time += result.row_time;
     sample.rows += result.rows;
 }
 
@@ -90,15 +83,17 @@ RowPlan plan_rows(const PlannedWork& work) {
     if (!work.batch && work.sweep.swept().empty()) return plan_question(work);
     if (work.batch == "-") return {.rows = {}, .time = {}};
     if (work.options.shard && work.batch) require_countable(*work.batch);
+    const double begin = processor_time();
     const RecordCount count =
         work.batch ? count_records(*work.batch) : RecordCount{.records = work.sweep.size()};
+    const double reading = processor_time() - begin;  // as long as the call will read, on one thread
     const RowRange share =
         rows_of(work.options.shard.value_or(Shard{.piece = 1, .pieces = 1}), count.records);
     RowPlan plan{.rows = count.rows(share),
                  .all = count.rows({.begin = 0, .end = count.records}),
                  .records = share.end - share.begin,
                  .time = {}};
-    plan.time = program_start;
+    plan.time = program_start + reading;
     if (*plan.rows == 0) return plan;
     const Sample sample = timed_rows(work, share, count.records);
     plan.timed = sample.rows;

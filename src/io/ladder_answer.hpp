@@ -21,6 +21,7 @@ struct LadderQuestion {
 struct RefinedRun {
     double error;      ///< its own numerical one, relative
     bool refined;      ///< it was not the first
+    bool within;       ///< the tolerance, by that and by what was measured of such runs
     std::string stop;  ///< why it was not refined further; empty: no finer one is tried
 };
 

@@ -87,16 +87,27 @@ std::string of_next(const LadderAnswer& answer, const RungVerdict& chosen) {
     return "";
 }
 
+/// Why a run whose own error is within the tolerance is not taken for that.
+std::string doubt(const LadderAnswer& answer) {
+    const RungVerdict& chosen = chosen_of(answer);
+    const double tolerance = answer.request.tolerance.value_or(0.0);
+    if (chosen.error && *chosen.error > tolerance)
+        return "such runs were off by up to " + percent(*chosen.error) + " on questions like this one";
+    return "the cell was still being drawn out, of which no error is known";
+}
+
 std::string of_run(const LadderAnswer& answer) {
     const RefinedRun& run = *answer.run;
     const double tolerance = answer.request.tolerance.value_or(0.0);
     const bool within = run.error <= tolerance;
-    return std::string(name_of(answer.choice.rung)) + ": the run's own numerical error " +
-           percent(run.error) +
-           (run.refined ? within ? ", refined until within " : ", refined and still not within "
-            : within    ? ", within "
-                        : ", not within ") +
-           percent(tolerance);
+    std::string text = std::string(name_of(answer.choice.rung)) + ": the run's own numerical error " +
+                       percent(run.error) +
+                       (run.refined ? within ? ", refined until within " : ", refined and still not within "
+                        : within    ? ", within "
+                                    : ", not within ") +
+                       percent(tolerance);
+    if (within && !run.within) text += ", but " + doubt(answer);
+    return text;
 }
 
 std::string reason(const LadderAnswer& answer) {
@@ -109,7 +120,7 @@ std::string reason(const LadderAnswer& answer) {
 }
 
 constexpr std::string_view outside =
-    "The question is outside what was measured: Cross inks, α to 0.75, K u/R to 100, R_c/R to 0.2, no cell "
+    "The question is outside what was measured: Cross inks, α to 0.75, K u/R to 50, R_c/R to 0.2, no cell "
     "in reach of "
     "the wall, inner viscosity that of the ink";
 
@@ -148,9 +159,12 @@ std::optional<Warning> shortfall(const LadderAnswer& answer) {
         return Warning{
             .code = "tolerance_not_met",
             .message = "--tolerance: the finest run it tries has a numerical error of " +
-                       percent(answer.run->error) + ", more than the " +
-                       percent(request.tolerance.value_or(0.0)) + " asked for; " +
-                       (answer.run->stop.empty() ? "--resolution goes further" : answer.run->stop)};
+                       percent(answer.run->error) +
+                       (answer.run->error <= request.tolerance.value_or(0.0)
+                            ? " and is not within the " + percent(request.tolerance.value_or(0.0)) +
+                                  " asked for, for " + doubt(answer)
+                            : ", more than the " + percent(request.tolerance.value_or(0.0)) + " asked for") +
+                       "; " + (answer.run->stop.empty() ? "--resolution goes further" : answer.run->stop)};
     }
     return Warning{.code = "tolerance_not_met",
                    .message = "--tolerance: no " + std::string(plural(request)) +

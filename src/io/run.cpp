@@ -7,6 +7,7 @@
 #include "io/answer_object.hpp"
 #include "io/answer_path.hpp"
 #include "io/csv_columns.hpp"
+#include "io/processor_time.hpp"
 #include "io/row_answer.hpp"
 #include "numerics/parallel.hpp"
 
@@ -173,12 +174,14 @@ RunResult run_sweep(const Sweep& sweep, const RunOptions& options, const Sink& s
     for (std::size_t begin = rows.begin + result.read; begin < rows.end; begin += chunk) {
         const std::size_t count = std::min(chunk, rows.end - begin);
         std::vector<RowText> texts(count);
+        const double rows_begin = processor_time();
         for_each_index(count, options.jobs, [&](std::size_t i) {
             const RowAnswer answer =
                 answer_row([&] { return sweep.row(begin + i); }, options.extras, options.answer);
             if (options.row_seen) options.row_seen(begin + i, answer.object);
             texts[i] = writer.written(answer);
         });
+        result.row_time += processor_time() - rows_begin;
         // What a simulation had when it was interrupted is no answer.
         if (options.answer && options.interrupted && *options.interrupted) {
             result.interrupted = true;

@@ -30,6 +30,7 @@ struct RunResult {
     bool interrupted = false;
     Format format = Format::table;                ///< as answered
     std::vector<std::string> failed_checks = {};  ///< a line for each check that does not hold everywhere
+    double row_time = 0.0;                        ///< processor time of the rows on this thread [s]
     std::string short_of = {};                    ///< what --tolerance or --budget asked for and is not had
 };
 

@@ -1,5 +1,8 @@
 #include "io/simulation_answer.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include "bioprint/errors.hpp"
 #include "io/answer_checks.hpp"
 #include "io/answer_object.hpp"
@@ -13,17 +16,28 @@
 namespace bioprint {
 namespace {
 
+/// The value at a path; null in an answer that has not come so far.
+std::string value_line(const Json& answer, const std::string& path, bool whole) {
+    try {
+        return value_text(value_meant(answer, path)) + "\n";
+    } catch (const UsageError&) {
+        if (whole) throw;
+        return "null\n";
+    }
+}
+
 /// Returns a line for each check that does not hold.
+/// @param whole  the run came to its end
 std::vector<std::string> write(const Prediction& prediction, const Comparison& comparison,
                                const SimulationQuestion& question, const Settings& settings,
-                               const RunOptions& options, const Sink& sink) {
+                               const RunOptions& options, const Sink& sink, bool whole) {
     Json answer = simulated_answer_object(prediction, comparison, question);
     if (options.ladder) answer["choice"] = ladder_object(*options.ladder);
     const ExtraResults results = add_extras(answer, settings, options.extras, options.jobs, true);
     if (options.seen) options.seen(answer);
     if (!options.paths.empty()) {
         for (const std::string& path : options.paths) {
-            sink(value_text(value_meant(answer, path)) + "\n");
+            sink(value_line(answer, path, whole));
         }
     } else if (options.format == Format::table) {
         sink(answer_table(prediction, options.style) + simulation_table(comparison, question, options.style) +
@@ -35,6 +49,22 @@ std::vector<std::string> write(const Prediction& prediction, const Comparison& c
     CheckTally tally(options.extras.checks);
     tally.add(results.checks);
     return tally.lines();
+}
+
+/// A cell that is still drawn out when it is judged has no error that two runs could tell.
+bool settled(const SimulationResult& run) {
+    return std::none_of(run.warnings.begin(), run.warnings.end(), [](const SimulationWarning& warning) {
+        return warning.code == "channel-not-steady" || warning.code == "strong-deformation";
+    });
+}
+
+/// Nothing that was measured of such runs says otherwise.
+bool measured_within(const std::optional<LadderAnswer>& ladder, const SimulationQuestion& question) {
+    if (!ladder) return true;
+    const Rung rung = rung_of(resolution_of(question));
+    return std::all_of(ladder->choice.ladder.begin(), ladder->choice.ladder.end(), [&](const auto& v) {
+        return v.rung != rung || !v.error || *v.error <= question.tolerance.value_or(1.0);
+    });
 }
 
 Comparison remarked(Comparison comparison, const ChosenScene& chosen) {
@@ -79,6 +109,9 @@ std::vector<std::string> answer_with_simulation(
         if (question.tolerance) {
             Refinement refinement = refine(
                 question, run,
+                [&](const SimulationQuestion& asked, const SimulationResult& result) {
+                    return settled(result) && measured_within(options.ladder, asked);
+                },
                 [&](const SimulationQuestion& asked) { return why_not_finer(prediction, asked); },
                 [&] { return simulation.cancel != nullptr && *simulation.cancel; });
             question = refinement.question;
@@ -98,12 +131,12 @@ std::vector<std::string> answer_with_simulation(
             files->write_answer(json_text(simulated_answer_object(prediction, comparison, question), 2) +
                                 "\n");
         }
-        failed = write(prediction, comparison, question, settings, options, sink);
+        failed = write(prediction, comparison, question, settings, options, sink, true);
         if (seen) seen(prediction, comparison);
     } catch (const SimulationIncomplete& e) {
         if (files != nullptr) files->write_series(e.result().series);
         write(prediction, remarked(compare(prediction, e.result()), chosen), question, settings, options,
-              sink);
+              sink, false);
         throw;
     }
     // It is an answer, but not the one asked for.

@@ -38,16 +38,20 @@ std::string breakdown(const SimulationResult& run) {
 }
 
 Refinement refine(const SimulationQuestion& question, FunctionRef<Comparison(const SimulationQuestion&)> run,
+                  FunctionRef<bool(const SimulationQuestion&, const SimulationResult&)> trusted,
                   FunctionRef<std::string(const SimulationQuestion&)> why_not_finer,
                   FunctionRef<bool()> cancelled) {
-    Comparison first = run(question);
-    const double error = own_error(first.run);
-    Refinement best{.comparison = std::move(first),
+    const auto judge = [&](Refinement& r) {
+        r.how.error = own_error(r.comparison.run);
+        r.how.within =
+            r.how.error <= question.tolerance.value_or(1.0) && trusted(r.question, r.comparison.run);
+    };
+    Refinement best{.comparison = run(question),
                     .question = question,
-                    .how = {.error = error, .refined = false, .stop = {}}};
-    const double tolerance = question.tolerance.value_or(1.0);
+                    .how = {.error = 0.0, .refined = false, .within = false, .stop = {}}};
+    judge(best);
     // One that broke down has no error to go by.
-    while (!(best.how.error <= tolerance) && breakdown(best.comparison.run).empty()) {
+    while (!best.how.within && breakdown(best.comparison.run).empty()) {
         best.how.stop = why_not_finer(best.question);
         if (!best.how.stop.empty()) break;
         const SimulationQuestion finer = finer_than(best.question);
@@ -57,8 +61,8 @@ Refinement refine(const SimulationQuestion& question, FunctionRef<Comparison(con
             if (best.how.stop.empty()) {
                 best.comparison = std::move(next);
                 best.question = finer;
-                best.how.error = own_error(best.comparison.run);
                 best.how.refined = true;
+                judge(best);
                 continue;
             }
         } catch (const SimulationIncomplete& e) {

@@ -21,7 +21,8 @@ RungVerdict verdict(Rung rung, const RungRequest& request) {
                   .affordable = true,
                   .refused = outlook.refused,
                   .record = measured(request.kind, rung, request.load)};
-    if (request.measured) v.error = expected_error(request.kind, rung, request.load);
+    if (request.measured && !outlook.unknown) v.error = expected_error(request.kind, rung, request.load);
+    if (v.error) v.error = std::max(*v.error, outlook.least_error);
     if (!v.time && v.record != nullptr) v.time = v.record->longest;
     if (request.tolerance) v.accurate = v.error && *v.error <= *request.tolerance;
     if (request.budget) v.affordable = v.time && *v.time <= *request.budget;
@@ -130,6 +131,10 @@ const RungRecord* measured(QuestionKind kind, Rung rung, double load) {
         return r.kind == kind && r.rung == rung && load >= r.load_from && load < r.load_to;
     });
     return found == ladder_table.end() ? nullptr : &*found;
+}
+
+double softness_offset(double offset, double cell_radius) {
+    return std::max(offset, 3.0 * cell_radius);
 }
 
 std::optional<double> expected_error(QuestionKind kind, Rung rung, double load) {

@@ -11,7 +11,7 @@ namespace bioprint {
 namespace {
 
 constexpr double most_thinning = 0.75;
-constexpr double fastest = 100.0;          // K u_avg/R
+constexpr double fastest = 50.0;           // K u_avg/R
 constexpr double largest_cell = 0.2;       // of the nozzle's radius
 constexpr double softest_in_nozzle = 0.7;  // G R_c/μ of the softest centred cells that were simulated there
 constexpr double slack = 1.0 + 1e-6;
@@ -52,12 +52,16 @@ class CellErrors {
     /// Of the stress of a cell at this offset.
     [[nodiscard]] Error in_nozzle(Rung rung, double offset) const {
         if (!measured_ || near_wall(offset)) return std::nullopt;
+        // Nearer to the axis than its radius the change of the shear across the cell counts, which that leaves out.
+        if (rung == Rung::steady && offset > 0.0 && offset < cell_.radius) return std::nullopt;
         if (offset > 0.0) return expected_error(QuestionKind::channel_off_axis, rung, load(offset));
         return pull_ > softest_in_nozzle ? std::nullopt : expected_error(QuestionKind::channel, rung, pull_);
     }
     [[nodiscard]] Error at_exit(Rung rung, double offset) const {
         if (!measured_ || near_wall(offset)) return std::nullopt;
-        if (offset > 0.0) return expected_error(QuestionKind::exit_off_axis, rung, load(offset));
+        if (offset > 0.0)
+            return expected_error(QuestionKind::exit_off_axis, rung,
+                                  load(softness_offset(offset, cell_.radius)));
         const PrintErrors* const prints = print_errors(rung == Rung::ellipsoid, strain_load_, pull_);
         const Error ladder = expected_error(QuestionKind::exit, rung, strain_load_);
         return prints == nullptr ? std::nullopt : larger(ladder, prints->stress);

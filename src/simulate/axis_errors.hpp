@@ -15,6 +15,9 @@ void extrapolate(SimulationResult& fine, const SimulationResult& coarse, const S
 /// A run without a coarser one beside it: relative errors fall with the cell's radius in nodes.
 void assume_errors(SimulationResult& result, const Scene& scene, const NozzleFlow& flow);
 
+/// The nozzle's own gradient and velocity are known exactly: of those a run is off by what it is off.
+void hold_against_nozzle(SimulationResult& result, const NozzleFlow& flow);
+
 /// Where the contrast is large neither of two lattices resolves the ink around the cell, and their difference does not
 /// tell how far both are off.
 void allow_for_contrast(SimulationResult& result, const Scene& scene, const NozzleFlow& flow);

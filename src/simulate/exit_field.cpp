@@ -52,7 +52,11 @@ ExitReach exit_reach(const Ink& ink) {
 }
 
 ExitField unsettled_exit_flow(const NozzleFlow& flow, int nodes, const ExitReach& reach) {
-    const LatticeUnits units = units_for_flow(flow, nodes);
+    return unsettled_exit_flow(flow, nodes, reach, units_for_flow(flow, nodes));
+}
+
+ExitField unsettled_exit_flow(const NozzleFlow& flow, int nodes, const ExitReach& reach,
+                              const LatticeUnits& units) {
     const LatticeProfile profile = lattice_profile(flow, units);
     const int lip = columns(reach.upstream, nodes);
     // Whole vectors: the length is rounded up to a multiple of 16.

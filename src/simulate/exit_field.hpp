@@ -25,6 +25,8 @@ ExitReach exit_reach(const Ink& ink);
 
 /// The developed profile before the lip and a plug behind it, in the units in which it settles soonest.
 ExitField unsettled_exit_flow(const NozzleFlow& flow, int nodes, const ExitReach& reach);
+ExitField unsettled_exit_flow(const NozzleFlow& flow, int nodes, const ExitReach& reach,
+                              const LatticeUnits& units);
 inline constexpr long exit_step_limit = 4'000'000;
 
 /// Starts from the developed profile at large viscosity and runs until steady.

@@ -79,7 +79,9 @@ void ImmersedBody<Real>::clear() {
 template <class Real>
 void ImmersedBody<Real>::load() {
     if (solid_.forces(position_, force_) > 0) {
-        throw NotConverged("an element of the cell turned inside out");
+        throw NotConverged(
+            "an element of the cell turned inside out; take a stiffer --shear-modulus, a lower --velocity, "
+            "or a --channel-time that ends before");
     }
     const std::vector<Vector3>* points = &position_;
     const std::vector<Vector3>* forces = &force_;

@@ -157,6 +157,7 @@ SimulationResult simulate(const Scene& scene, const SimulationOptions& options) 
     } else if (options.estimate_error) {
         assume_errors(result, scene, flow);
     }
+    if (options.estimate_error) hold_against_nozzle(result, flow);
     keeper.close();
     result.wall_time = keeper.elapsed();
     result.updates_per_second = updates / result.wall_time;

@@ -9,6 +9,7 @@
 
 #include "bioprint/flow/nozzle_flow.hpp"
 #include "lattice/d3q19_kernel.hpp"
+#include "simulate/lattice_units.hpp"
 #include "simulate/message_number.hpp"
 #include "simulate/offset_exit_scene.hpp"
 #include "simulate/run_log.hpp"
@@ -405,6 +406,7 @@ void check_space(const Scene& scene, const SimulationOptions& options) {
     check_size(scene, nodes);
     if (scene.kind == SceneKind::shear) return;
     const NozzleFlow flow = NozzleFlow::from_velocity(scene.ink, scene.nozzle_radius, scene.velocity_average);
+    check_softness(scene, flow, options);
     check_offset_softness(scene, flow, options);
     check_offset_duration(scene, flow, nodes);
 }

@@ -48,8 +48,13 @@ void estimate_space_errors(SimulationResult& fine, const SimulationResult* coars
                            double nodes) {
     constexpr double ratio = 2.0;
     const double refined = nodes_of_known_errors / nodes;
+    // Of a cell that is still being drawn out nothing is known.
+    const bool drawn_out =
+        std::any_of(fine.warnings.begin(), fine.warnings.end(),
+                    [](const SimulationWarning& warning) { return warning.code == "channel-not-steady"; });
     for (SimulatedValue& v : fine.values) {
         v.error = known_error(scene, v) * refined * refined;
+        if (drawn_out) v.error = std::max(v.error, std::abs(v.value));
         if (coarse == nullptr) {
             continue;
         }

@@ -42,6 +42,9 @@ std::span<const RungRecord> measured_ladder();
 
 /// What is known of a rung on such a question; null when nothing like it was measured.
 const RungRecord* measured(QuestionKind kind, Rung rung, double load);
+/// Where the load is taken that tells how soft a cell at the exit is: where they were measured, 3 cell radii off the
+/// axis, for a cell nearer to it is stretched as much by the exit and sheared less.
+double softness_offset(double offset, double cell_radius);
 /// The relative error to be expected; none when nothing like it was measured or some of it has no answer.
 std::optional<double> expected_error(QuestionKind kind, Rung rung, double load);
 
@@ -49,6 +52,8 @@ std::optional<double> expected_error(QuestionKind kind, Rung rung, double load);
 struct RungOutlook {
     std::string refused = {};         ///< why it cannot follow this question; empty: it can
     std::optional<double> time = {};  ///< processor time expected [s]; none: the longest measured
+    double least_error = 0.0;         ///< relative, by other measurements
+    bool unknown = false;             ///< its error on this question is not known
 };
 constexpr std::size_t rung_count = 5;
 

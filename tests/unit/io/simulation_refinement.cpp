@@ -17,6 +17,8 @@ class Runs {
     double broken_from =
         std::numeric_limits<double>::infinity();  ///< nodes from which on a run gives no stress
     double thrown_from = std::numeric_limits<double>::infinity();  ///< or does not come to its end
+    double trusted_from =
+        0.0;  ///< nodes from which on what was measured of such runs is within the tolerance
     double finest = 12.0;
     bool cancelled = false;
     std::vector<double> made;
@@ -28,6 +30,9 @@ class Runs {
         question.tolerance = tolerance;
         return refine(
             question, [&](const SimulationQuestion& asked) { return run(resolution_of(asked)); },
+            [&](const SimulationQuestion& asked, const SimulationResult&) {
+                return resolution_of(asked) >= trusted_from;
+            },
             [&](const SimulationQuestion& asked) {
                 return 2.0 * resolution_of(asked) > finest ? std::string("no finer one") : std::string();
             },
@@ -61,6 +66,19 @@ TEST_CASE("refinement: ends at the first run within the tolerance") {
     CHECK(strict.how.refined);
     CHECK(strict.how.error == doctest::Approx(0.005625));
     CHECK(resolution_of(strict.question) == 12.0);
+}
+
+TEST_CASE("refinement: a run that was measured to be further off than the tolerance is refined") {
+    Runs runs;
+    runs.trusted_from = 6.0;
+    const Refinement r = runs.refine_to(0.1);
+    CHECK(runs.made == std::vector{3.0, 6.0});
+    CHECK(r.how.within);
+    Runs never;
+    never.trusted_from = 48.0;
+    const Refinement none = never.refine_to(0.1);
+    CHECK(never.made == std::vector{3.0, 6.0, 12.0});
+    CHECK_FALSE(none.how.within);
 }
 
 TEST_CASE("refinement: the finest run in reach stands and says why") {
