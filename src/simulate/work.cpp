@@ -41,10 +41,10 @@ constexpr double fastest_in_space = 1.3e8;
 constexpr double slowest_in_space = 0.35e8;
 constexpr double slowest_in_shear = 0.2e8;
 /// Bytes a node beside those of the program, from the memory of every scene at 3, 6 and 12 nodes a cell radius.
-constexpr double program = 14e6;
+constexpr double program = 13e6;
 constexpr double exit_start = 8e6;  ///< of an exit in space: the flow in the plane that it starts from
 constexpr double bytes_on_axis = 320.0;
-constexpr double bytes_in_space = 155.0;
+constexpr double bytes_in_space = 161.0;
 constexpr double bytes_in_shear = 300.0;  ///< in double precision
 
 /// Steps of a flow through the exit until it is steady, over the nodes a nozzle radius: 170 to 600 in a Newtonian ink;
