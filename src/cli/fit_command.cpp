@@ -225,6 +225,7 @@ int run_fit_command(int argc, const char* const* argv) {
     app.allow_extras();
     app.get_formatter()->column_width(34);
     Raw raw;
+    take_last_of_repeated(app);
     add_options(app, raw);
     Problems problems;
     try {
@@ -237,6 +238,7 @@ int run_fit_command(int argc, const char* const* argv) {
     } catch (const CLI::ParseError& e) {
         problems.add(e.what());
     }
+    add_repeated_options(app, problems);
     std::vector<std::string> names;
     for (const CLI::Option* option : app.get_options()) {
         for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
