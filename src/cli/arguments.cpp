@@ -346,6 +346,7 @@ std::optional<Arguments> parse_words(int argc, const char* const* argv) {
     app.allow_extras();
     app.get_formatter()->column_width(34);
 
+    take_last_of_repeated(app);
     Arguments arguments;
     Raw raw;
     add_prediction_options(app, raw);
@@ -360,6 +361,7 @@ std::optional<Arguments> parse_words(int argc, const char* const* argv) {
     add_long_run_options(app, raw.long_run);
     add_ladder_options(app, raw.ladder);
     Problems problems;
+    bool read = true;
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
@@ -370,7 +372,10 @@ std::optional<Arguments> parse_words(int argc, const char* const* argv) {
         return std::nullopt;
     } catch (const CLI::ParseError& e) {
         problems.add(e.what());
+        read = false;
     }
+    add_repeated_options(app, problems);
+    add_repeated_options(*design, problems);
     if (fit->parsed()) {
         problems.add("'fit': comes first: bioprint-predict fit FILE; see bioprint-predict fit --help", "fit");
     }
@@ -382,7 +387,8 @@ std::optional<Arguments> parse_words(int argc, const char* const* argv) {
     if (!raw.long_run.resume) collect_simulation(raw, arguments, problems);
     collect_long_run(raw.long_run, arguments, problems);
     collect_ladder(raw.ladder, arguments, problems);
-    if (design->parsed()) collect_design(raw.design, arguments, problems);
+    // What is missing there is known only once every option could be read.
+    if (design->parsed() && read) collect_design(raw.design, arguments, problems);
     collect_pictures(raw.pictures, arguments, problems);
     arguments.pictures.call.assign(argv, argv + argc);
     // Where the program lies is nobody's question.

@@ -1,5 +1,6 @@
 #include "cli/call_problems.hpp"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "bioprint/errors.hpp"
@@ -23,6 +24,21 @@ void add_extra_arguments(std::span<const std::string> extras, std::span<const st
         std::string message = in_quotes(extra) + ": " + (option ? "no such option" : "an argument too many");
         message += near.empty() ? "; see " + help : "; did you mean " + std::string(near) + "?";
         problems.add(message, extra);
+    }
+}
+
+void take_last_of_repeated(CLI::App& app) {
+    app.option_defaults()->take_last();
+}
+
+void add_repeated_options(const CLI::App& app, Problems& problems) {
+    for (const CLI::Option* option : app.get_options()) {
+        const bool one_value = option->get_items_expected_min() == 1 &&
+                               option->get_items_expected_max() == 1 &&
+                               option->get_multi_option_policy() == CLI::MultiOptionPolicy::TakeLast;
+        if (!one_value || option->count() < 2 || option->get_lnames().empty()) continue;
+        const std::string name = "--" + option->get_lnames().front();
+        problems.add(name + ": given twice; give it once", name);
     }
 }
 

@@ -206,6 +206,15 @@ void say_notes(const FitAnswer& answer) {
     }
 }
 
+/// A preset that the program itself refuses is of no use.
+void require_predicted(const FitAnswer& answer) {
+    const std::string problem = not_predicted(answer.chosen);
+    if (problem.empty()) return;
+    throw UsageError("--preset: no prediction takes this ink: " + problem +
+                         "; fit another law with --law, or leave --preset out",
+                     "--preset");
+}
+
 std::string text_of(const FitAnswer& answer, const FitCall& call, const Raw& raw) {
     if (!raw.paths.empty()) return fit_values_text(answer, raw.paths);
     if (call.format == FitFormat::json) return fit_json_text(answer);
@@ -225,6 +234,7 @@ int run_fit_command(int argc, const char* const* argv) {
     app.allow_extras();
     app.get_formatter()->column_width(34);
     Raw raw;
+    take_last_of_repeated(app);
     add_options(app, raw);
     Problems problems;
     try {
@@ -237,6 +247,7 @@ int run_fit_command(int argc, const char* const* argv) {
     } catch (const CLI::ParseError& e) {
         problems.add(e.what());
     }
+    add_repeated_options(app, problems);
     std::vector<std::string> names;
     for (const CLI::Option* option : app.get_options()) {
         for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
@@ -252,6 +263,7 @@ int run_fit_command(int argc, const char* const* argv) {
         plot.emplace(call.plot->file);
     }
     const FitAnswer answer = answer_fit(call.question);
+    if (raw.preset) require_predicted(answer);
     output.write(text_of(answer, call, raw));
     if (plot) plot->write(draw(fit_picture(answer), checked_canvas(*call.plot), terminal_size()));
     if (raw.preset) {

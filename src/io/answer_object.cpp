@@ -345,6 +345,12 @@ const Json& value_at(const Json& answer, std::string_view path, std::string_view
             const std::string known =
                 begin == 0 ? "the answer" : "'" + std::string(path.substr(0, begin - 1)) + "'";
             const std::string deeper = entry_with(*place, std::string(path.substr(begin)));
+            // The time in the nozzle is what it takes, and without a length there is none.
+            if (known == "'population.exposure'" && place->is_null()) {
+                throw UsageError(std::string(option) + ": no value at '" + std::string(path) +
+                                     "'; it takes the length of the nozzle, add --length",
+                                 std::string(option));
+            }
             throw UsageError(
                 std::string(option) + ": no value at '" + std::string(path) + "'; " +
                     (deeper.empty() ? known + " has " + offered_by(*place)

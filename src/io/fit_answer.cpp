@@ -7,61 +7,18 @@
 #include "bioprint/errors.hpp"
 #include "bioprint/io/answer.hpp"
 #include "bioprint/io/number_format.hpp"
+#include "bioprint/predict/case.hpp"
 #include "io/csv.hpp"
 
 namespace bioprint {
 namespace {
 
-/// From here on points are condensed: more add seconds and no knowledge.
-constexpr std::size_t most_points = 5000;
-constexpr std::size_t condensed_points = 1000;
-
-double median_of(std::vector<double>& values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
-/// Neighbours in rate of one interval as one point, their medians, with the weight of all.
-std::vector<FitPoint> condense(std::vector<MeasuredPoint> points) {
-    std::stable_sort(points.begin(), points.end(), [](const MeasuredPoint& a, const MeasuredPoint& b) {
-        return a.interval != b.interval ? a.interval < b.interval : a.rate < b.rate;
-    });
-    const double size = static_cast<double>(points.size()) / static_cast<double>(condensed_points);
-    std::vector<FitPoint> result;
-    std::vector<double> rates;
-    std::vector<double> viscosities;
-    double next = size;
-    std::size_t line = points.front().line;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        rates.push_back(points[i].rate);
-        viscosities.push_back(points[i].viscosity);
-        line = std::min(line, points[i].line);
-        const bool last = i + 1 == points.size() || points[i + 1].interval != points[i].interval;
-        if (static_cast<double>(i + 1) < next && !last) continue;
-        result.push_back({.rate = median_of(rates),
-                          .measured = median_of(viscosities),
-                          .fitted = 0.0,
-                          .weight = static_cast<double>(rates.size()),
-                          .used = true,
-                          .line = line,
-                          .interval = points[i].interval});
-        next = static_cast<double>(i + 1) + size;
-        if (!last) line = points[i + 1].line;
-        rates.clear();
-        viscosities.clear();
-    }
-    return result;
-}
-
 std::vector<FitPoint> points_of(const RheometerData& data) {
-    if (data.points.size() > most_points) return condense(data.points);
     std::vector<FitPoint> points;
     for (const MeasuredPoint& p : data.points) {
         points.push_back({.rate = p.rate,
                           .measured = p.viscosity,
                           .fitted = 0.0,
-                          .weight = 1.0,
                           .used = true,
                           .line = p.line,
                           .interval = p.interval});
@@ -82,7 +39,14 @@ std::string stem(const std::string& path) {
 const LawFit& choose(const FitAnswer& answer) {
     const FitQuestion& question = answer.question;
     if (answer.fit.laws.empty()) throw UsageError(answer.data.file + ": too few points for any law");
-    if (!question.law) return answer.fit.laws.front();
+    const LawFit* const cross = answer.fit.find({FittedLaw::cross, false});
+    if (!question.law && cross != nullptr) return cross->aicc ? answer.fit.laws.front() : *cross;
+    if (!question.law) {
+        throw UsageError(
+            answer.data.file + ": " + std::to_string(answer.fit.points_used) +
+            " points are too few to choose a law; measure more shear rates, or name a law of few "
+            "parameters, such as --law newtonian");
+    }
     const bool has_eta_inf = question.law == FittedLaw::cross || question.law == FittedLaw::carreau_yasuda;
     const LawFit* const found = answer.fit.find({*question.law, question.fit_eta_inf && has_eta_inf});
     if (found != nullptr) return *found;
@@ -136,14 +100,9 @@ FitAnswer answer_fit(const FitQuestion& question, RheometerData data) {
     answer.question = question;
     answer.data = std::move(data);
     answer.points = points_of(answer.data);
-    if (answer.points.size() < answer.data.points.size()) {
-        answer.data.remarks.push_back(std::to_string(answer.data.points.size()) +
-                                      " points were condensed to " + std::to_string(answer.points.size()) +
-                                      ": neighbours in shear rate count as their median");
-    }
     std::vector<FlowPoint> points;
     for (const FitPoint& p : answer.points) {
-        points.push_back({.rate = p.rate, .viscosity = p.measured, .weight = p.weight});
+        points.push_back({.rate = p.rate, .viscosity = p.measured});
     }
     require_below_points(question.eta_inf, points);
     try {
@@ -173,6 +132,13 @@ FitAnswer answer_fit(const FitQuestion& question, RheometerData data) {
     answer.source = source_of(answer);
     answer.warnings = fit_warnings(answer);
     return answer;
+}
+
+std::string not_predicted(const LawFit& fit) {
+    std::string text;
+    for (const std::string& problem : problems_of(fitted_ink(fit)))
+        text += (text.empty() ? "" : "; ") + problem;
+    return text;
 }
 
 std::string_view fit_unit(std::string_view parameter) {

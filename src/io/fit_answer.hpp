@@ -28,9 +28,8 @@ struct FitPoint {
     double rate;       ///< [1/s]
     double measured;   ///< η [Pa s]
     double fitted;     ///< η of the law chosen [Pa s]
-    double weight;     ///< how many rows it stands for
     bool used;         ///< false: an outlier
-    std::size_t line;  ///< of the file, the first where it stands for several
+    std::size_t line;  ///< of the file
     std::size_t interval;
     [[nodiscard]] double residual() const;  ///< ln(measured/fitted)
 };
@@ -70,6 +69,9 @@ std::string fit_values_text(const FitAnswer& answer, const std::vector<std::stri
 
 /// The ink with the parameters as they are printed; whether a prediction takes it is another matter.
 Ink fitted_ink(const LawFit& fit);
+
+/// Why no prediction takes the ink fitted; empty where one does.
+std::string not_predicted(const LawFit& fit);
 
 /// The ink as options of a prediction, whatever its law: "--eta0 10Pa.s -K 0.05s --alpha 0.75".
 std::string fit_options_line(const FitAnswer& answer);

@@ -152,7 +152,8 @@ Panel residual_panel(const FitAnswer& answer) {
 Picture fit_picture(const FitAnswer& answer) {
     return {.name = "fit",
             .title = answer.name + ": " + name_of(answer.chosen),
-            .subtitle = fit_options_line(answer),
+            .subtitle = not_predicted(answer.chosen).empty() ? fit_options_line(answer)
+                                                             : "no prediction takes this ink",
             .caption = "The flow curve with the laws fitted to it; below, what the law chosen leaves over.",
             .rows = {{.panels = {curve_panel(answer)}, .height = 460},
                      {.panels = {residual_panel(answer)}, .height = 260}},

@@ -109,6 +109,10 @@ int digits_for(const FittedParameter& p) {
     return std::clamp(decade(std::abs(p.value)) - decade(p.standard_error) + 2, 2, 7);
 }
 
+std::string relative_error(const FittedParameter& p) {
+    return p.value == 0.0 ? "" : bare_text(100.0 * p.standard_error / std::abs(p.value), 2) + " %";
+}
+
 std::string parameters_section(const LawFit& fit, TableStyle style) {
     std::string text = "\n" + table_heading(law_formula(fit), style);
     Rows rows = {{"", "", "", "error", "", "95 % interval"}};
@@ -120,8 +124,7 @@ std::string parameters_section(const LawFit& fit, TableStyle style) {
         const auto show = [&](double value, int n) { return format_in(value, unit, n); };
         if (p.determined) {
             rows.push_back({symbol(p.name), show(p.value, digits), name, "± " + show(p.standard_error, 2),
-                            bare_text(100.0 * p.standard_error / std::abs(p.value), 2) + " %",
-                            show(p.low, digits) + " to " + show(p.high, digits)});
+                            relative_error(p), show(p.low, digits) + " to " + show(p.high, digits)});
         } else {
             rows.push_back({symbol(p.name), show(p.value, 3), name, "", "", "not determined"});
         }
@@ -174,9 +177,14 @@ std::string call_line(std::string call) {
 std::string fit_table(const FitAnswer& answer, TableStyle style) {
     std::string text =
         data_section(answer, style) + parameters_section(answer.chosen, style) + laws_section(answer, style);
-    text += "\n" + table_heading("To predict with it", style) + "  " +
-            call_line("bioprint-predict " + fit_options_line(answer)) + "\n";
-    text += "  or as a preset: --preset ink.json, then bioprint-predict --ink ./ink.json\n";
+    text += "\n" + table_heading("To predict with it", style);
+    if (const std::string problem = not_predicted(answer.chosen); !problem.empty()) {
+        text +=
+            "  " + table_wrapped("no prediction takes this ink: " + problem + "; fit another law", 2) + "\n";
+    } else {
+        text += "  " + call_line("bioprint-predict " + fit_options_line(answer)) + "\n" +
+                "  or as a preset: --preset ink.json, then bioprint-predict --ink ./ink.json\n";
+    }
     if (answer.warnings.empty() || style.quiet) return text;
     text += "\n" + table_heading("Notes", style);
     for (const Warning& warning : answer.warnings)

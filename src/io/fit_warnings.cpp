@@ -4,7 +4,6 @@
 #include <map>
 
 #include "bioprint/io/number_format.hpp"
-#include "bioprint/predict/case.hpp"
 #include "io/fit_answer.hpp"
 
 // What a fit cannot know, said before it is used.
@@ -191,8 +190,15 @@ std::vector<Warning> fit_warnings(const FitAnswer& answer) {
     std::vector<Warning> warnings;
     for (const std::string& remark : answer.data.remarks)
         warnings.push_back({.code = "data", .message = remark});
-    add_undetermined(answer, warnings);
     const LawFit& fit = answer.chosen;
+    if (!answer.question.law && !fit.aicc) {
+        warnings.push_back(
+            {.code = "not_compared",
+             .message = std::to_string(answer.fit.points_used) +
+                        " points are too few to choose a law: this is the Cross law, as without "
+                        "--law; measure more shear rates, or name another with --law"});
+    }
+    add_undetermined(answer, warnings);
     const LawFit& best = answer.fit.laws.front();
     if (ruled_out_by_best(answer)) {
         warnings.push_back({.code = "other_law",
@@ -242,7 +248,7 @@ std::vector<Warning> fit_warnings(const FitAnswer& answer) {
              .message = "alpha is above 1: the stress falls at high rates, and past its maximum there is no "
                         "steady flow"});
     }
-    for (const std::string& problem : problems_of(fitted_ink(fit))) {
+    if (const std::string problem = not_predicted(fit); !problem.empty()) {
         warnings.push_back({.code = "not_predicted",
                             .message = "no prediction takes this ink: " + problem + "; fit another law"});
     }

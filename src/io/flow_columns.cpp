@@ -41,6 +41,17 @@ bool has_any(const std::string& name, Words words) {
                        [&](std::string_view word) { return name.find(word) != std::string::npos; });
 }
 
+/// "log viscosity", "lg(eta)", "log10 rate", "ln_rate", "logarithmic"; not "logger".
+bool is_logarithm(const std::string& name) {
+    if (name.starts_with("logarith")) return true;
+    for (const std::string_view word : {"log10", "log", "lg", "ln"}) {
+        if (!name.starts_with(word)) continue;
+        const char next = name.size() > word.size() ? name[word.size()] : ' ';
+        if (word == "log10" || !((next >= 'a' && next <= 'z') || (next >= '0' && next <= '9'))) return true;
+    }
+    return false;
+}
+
 std::string label_of(const ColumnHead& head) {
     if (head.unit.empty()) return head.name;
     return head.name.empty() ? "[" + head.unit + "]" : head.name + " [" + head.unit + "]";
@@ -64,7 +75,7 @@ std::optional<FlowColumn> find_kind(const std::vector<ColumnHead>& heads, const 
     std::vector<Found> found;
     for (std::size_t i = 0; i < heads.size(); ++i) {
         const std::string name = lower_case(heads[i].name);
-        if (has_any(name, kind.exclusions)) continue;
+        if (has_any(name, kind.exclusions) || is_logarithm(name)) continue;
         const bool named = has_any(name, kind.words);
         const std::optional<Unit> unit = parse_unit(heads[i].unit);
         const bool right_unit = unit && unit->powers == powers_of(kind.dimension);
@@ -173,6 +184,17 @@ std::string unknown_units(const std::vector<ColumnHead>& heads) {
         return "; the unit " + in_quotes(head.unit) + std::string(unit_not_known);
     }
     return {};
+}
+
+std::string logarithms(const std::vector<ColumnHead>& heads) {
+    std::vector<ColumnHead> found;
+    for (const ColumnHead& head : heads) {
+        const std::string name = lower_case(head.name);
+        const bool meant =
+            has_any(name, rate_words) || has_any(name, viscosity_words) || has_any(name, stress_words);
+        if (meant && is_logarithm(name)) found.push_back(head);
+    }
+    return found.empty() ? std::string{} : "; " + list_of_heads(found) + std::string(log_not_read);
 }
 
 std::string list_of_heads(const std::vector<ColumnHead>& heads) {

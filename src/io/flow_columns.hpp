@@ -7,7 +7,7 @@
 #include "io/units.hpp"
 
 /// Which columns of a rheometer's table are shear rate, viscosity and shear stress: by the unit first, by the name
-/// among those of one unit, in the languages instruments speak.
+/// among those of one unit, in the languages instruments speak. A column of logarithms is none of them.
 namespace bioprint {
 
 struct ColumnHead {
@@ -48,5 +48,9 @@ std::string list_of_heads(const std::vector<ColumnHead>& heads);
 /// "; the unit 'dyn/cm2' is not known" for the first column that has one; else empty.
 std::string unknown_units(const std::vector<ColumnHead>& heads);
 inline constexpr std::string_view unit_not_known = " is not known here";
+
+/// "; 'log viscosity [Pa.s]' …" of the columns left alone because they hold logarithms; else empty.
+std::string logarithms(const std::vector<ColumnHead>& heads);
+inline constexpr std::string_view log_not_read = ": logarithms are not read";
 
 }  // namespace bioprint

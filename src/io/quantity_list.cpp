@@ -104,10 +104,28 @@ struct ParsedList {
     bool is_range;
 };
 
+/// "0.05,0.1:0.3:0.1", "1um,2um:4um:1um"; not "0:0,3:0,1", whose commas are decimals.
+bool mixes_list_and_range(std::string_view range, bool decimal_comma) {
+    if (decimal_comma) return range.find(';') != std::string_view::npos;
+    std::size_t commas = 0;
+    bool separates = false;
+    for (std::size_t i = 0; i < range.size(); ++i) {
+        if (range[i] == ':') commas = 0;
+        if (range[i] != ',') continue;
+        separates = separates || ++commas > 1 || i == 0 || range[i - 1] < '0' || range[i - 1] > '9' ||
+                    range.find('.') != std::string_view::npos;
+    }
+    return separates;
+}
+
 ParsedList parse_list(std::string_view text, const QuantityRequest& request) {
     const std::string_view whole = trimmed(text);
     if (whole.empty()) fail_quantity(text, "which is empty", request);
     const bool is_range = whole.find(':') != std::string_view::npos;
+    if (is_range && mixes_list_and_range(whole, request.style.decimal_comma)) {
+        fail_quantity(text, "which mixes a list and a range; write every value out, or give one of the two",
+                      request);
+    }
     ParsedList list{.elements = split(whole,
                                       is_range                      ? ':'
                                       : request.style.decimal_comma ? ';'

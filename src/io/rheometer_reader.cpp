@@ -1,7 +1,9 @@
 #include "io/rheometer_reader.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
 
 #include "bioprint/errors.hpp"
 #include "io/decoded_text.hpp"
@@ -104,6 +106,37 @@ Heading heading_of(const std::vector<TextRow>& rows) {
     return heading;
 }
 
+/// A word of what rheometers export beside a flow curve, where no unit tells.
+bool names_another_quantity(const std::string& name) {
+    static constexpr std::array<std::string_view, 10> words = {"time",  "torque",    "temperature", "strain",
+                                                               "modul", "force",     "frequen",     "speed",
+                                                               "zeit",  "drehmoment"};
+    const std::string text = lower_case(name);
+    return std::any_of(words.begin(), words.end(),
+                       [&](std::string_view word) { return text.find(word) != std::string::npos; });
+}
+
+/// The same words in every column, "overload,overload": no columns are called so.
+bool all_alike(const std::vector<ColumnHead>& heads) {
+    std::set<std::string> names;
+    std::size_t count = 0;
+    for (const ColumnHead& head : heads) {
+        if (head.name.empty()) continue;
+        names.insert(head.name);
+        ++count;
+    }
+    return count >= 2 && names.size() == 1;
+}
+
+/// Whether words below a table may be the heading of another one.
+bool names_columns(const std::vector<ColumnHead>& heads) {
+    const FlowColumns columns = find_flow_columns(heads);
+    return columns.complete() || columns.oscillation ||
+           std::any_of(heads.begin(), heads.end(), [](const ColumnHead& head) {
+               return !head.unit.empty() || names_another_quantity(head.name);
+           });
+}
+
 /// Reads line by line; a table begins with the first row of numbers below words.
 class Reader {
   public:
@@ -144,7 +177,10 @@ class Reader {
                 ++words;
             }
         }
-        if (numbers + missing + words == 0) return;
+        if (numbers + missing + words == 0) {
+            blank_line_ = true;
+            return;
+        }
         const bool labelled = word_first && trimmed(fields_.front()).ends_with(':');
         const bool in_table = open_ && pending_.empty();
         const bool row =
@@ -161,6 +197,7 @@ class Reader {
             return;
         }
         if (!pending_.empty() || !open_) begin_interval(line);
+        blank_line_ = false;
         take_row(line);
     }
 
@@ -199,13 +236,22 @@ class Reader {
             if (!field.empty()) split_fields(field, ' ', words);
         }
         if (words.size() != fields_.size() || words.front().starts_with('#')) return;
+        std::vector<ColumnHead> heads;
+        for (const std::string_view word : words) heads.push_back(split_head(word));
+        if (open_ && !names_columns(heads)) return;  // "manual stop" between the rows of two columns
         pending_.back().fields = {words.begin(), words.end()};
+    }
+
+    /// Words between the rows of a table that name no column: a row without a value, and the table goes on.
+    [[nodiscard]] bool is_remark(const Heading& heading) const {
+        if (!columns_.complete()) return false;
+        return all_alike(heading.heads) || (!blank_line_ && !names_columns(heading.heads));
     }
 
     void begin_interval(std::size_t line) {
         split_names_at_blanks();
         Heading heading = heading_of(pending_);
-        const bool continues = open_ && heading.heads.empty();
+        const bool continues = open_ && (heading.heads.empty() || is_remark(heading));
         if (continues) {
             for (const TextRow& row : pending_) drop("a line of words", row.line);
             pending_.clear();
@@ -301,7 +347,7 @@ class Reader {
             if (headless_) return std::to_string(fields_.size()) + " columns without names";
             std::string lacking =
                 !columns_.rate ? "no column of shear rate" : "no column of viscosity or shear stress";
-            return lacking + " among " + list_of_heads(heads_) + unknown_units(heads_);
+            return lacking + " among " + list_of_heads(heads_) + unknown_units(heads_) + logarithms(heads_);
         }
         if (points_.empty()) return "no usable row";
         const auto [low, high] = std::minmax_element(
@@ -321,6 +367,12 @@ class Reader {
                             std::find(options_.intervals.begin(), options_.intervals.end(), number) !=
                                 options_.intervals.end();
         if (interval_.skipped.empty() && !wanted) interval_.skipped = not_asked_for;
+        const bool lacks_columns = !columns_.complete() && !columns_.oscillation;
+        if (lacks_columns && options_.intervals.empty() && !data_.points.empty()) {
+            add_remark("interval " + std::to_string(number) + " from line " + std::to_string(interval_.line) +
+                       " is left out: " + interval_.skipped +
+                       "; if its rows belong to the curve above, delete the words before them");
+        }
         if (interval_.skipped.empty()) {
             data_.points.insert(data_.points.end(), points_.begin(), points_.end());
             merge_dropped();
@@ -329,8 +381,8 @@ class Reader {
                 add_remark("two columns without names: taken as shear rate in 1/s and viscosity in Pa s");
             }
             if (reversed_ > 0) {
-                add_remark(std::to_string(reversed_) +
-                           " rows turn backwards (negative shear rate): taken as positive");
+                add_remark(std::to_string(reversed_) + (reversed_ == 1 ? " row turns" : " rows turn") +
+                           " backwards (negative shear rate): taken as positive");
             }
             if (2 * disagreements_ > comparisons_) {
                 add_remark("the viscosity is not shear stress over shear rate (columns " +
@@ -399,8 +451,10 @@ class Reader {
             const bool columns = only.rate.empty() || only.viscosity.empty();
             const bool oscillates = only.skipped == oscillatory;
             const bool unit = only.skipped.find(unit_not_known) != std::string::npos;
+            const bool log = only.skipped.find(log_not_read) != std::string::npos;
             fail("line " + std::to_string(only.line) + ": " + only.skipped + dropped_reasons() +
                  (oscillates ? "; export a rotational test of viscosity over shear rate"
+                  : log      ? "; export the quantity itself, or convert it, 10^x (e^x for ln)"
                   : unit     ? "; convert the column, to Pa.s, Pa or 1/s"
                   : columns  ? "; name the columns and their units in a line above, such as Shear rate [1/s] "
                                "and Viscosity [Pa.s]"
@@ -428,6 +482,7 @@ class Reader {
     std::vector<TextRow> pending_;
     bool open_ = false;
     bool headless_ = false;
+    bool blank_line_ = false;  ///< since the last row
     std::vector<ColumnHead> heads_;
     FlowColumns columns_;
     RheometerInterval interval_;

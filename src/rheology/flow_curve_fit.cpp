@@ -20,6 +20,9 @@ constexpr double rounding = 1e-7;
 /// In standard deviations. Of normal points 1 in 16 000 lies farther out.
 constexpr double outlier_reach = 4.0;
 constexpr std::size_t fewest_rates = 3;
+/// Above so many points the grid of starts goes over medians of neighbours; the fit itself takes every point.
+constexpr std::size_t most_searched = 1000;
+constexpr std::size_t condensed_points = 300;
 
 const std::vector<LawChoice>& candidates() {
     static const std::vector<LawChoice> all = {
@@ -39,6 +42,14 @@ void check(std::span<const FlowPoint> points) {
     }
 }
 
+/// Of an even number the mean of the two in the middle: the upper one alone lies above a law by its scatter.
+double median_of(std::vector<double>& values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    if (values.size() % 2 == 1) return *middle;
+    return 0.5 * (*middle + *std::max_element(values.begin(), middle));
+}
+
 /// The points in use, as the residuals of a law.
 class Residuals {
   public:
@@ -50,12 +61,39 @@ class Residuals {
             // Outliers count for the range a law is allowed in: what a fit of all points found stays allowed.
             low_ = std::min(low_, log_rate);
             high_ = std::max(high_, log_rate);
-            if (!used[i]) continue;
-            points_.push_back(points[i]);
-            log_rate_.push_back(log_rate);
-            log_viscosity_.push_back(std::log(points[i].viscosity));
-            weights_.push_back(points[i].weight);
+            if (used[i]) add(points[i]);
         }
+    }
+    /// Neighbours in rate as one point, the median of their logarithms, with the weight of all; none over a gap.
+    [[nodiscard]] Residuals condensed() const {
+        std::vector<std::size_t> order(size());
+        std::iota(order.begin(), order.end(), 0);
+        std::stable_sort(order.begin(), order.end(),
+                         [&](std::size_t a, std::size_t b) { return log_rate_[a] < log_rate_[b]; });
+        const std::size_t group = (size() + condensed_points - 1) / condensed_points;
+        const double gap = (high_ - low_) / static_cast<double>(condensed_points);
+        Residuals result;
+        result.low_ = low_;
+        result.high_ = high_;
+        std::vector<double> rates;
+        std::vector<double> viscosities;
+        double weight = 0.0;
+        for (std::size_t i = 0; i < order.size(); ++i) {
+            const std::size_t at = order[i];
+            rates.push_back(log_rate_[at]);
+            viscosities.push_back(log_viscosity_[at]);
+            weight += weights_[at];
+            const bool ends = i + 1 == order.size() || rates.size() == group ||
+                              log_rate_[order[i + 1]] - log_rate_[at] > gap;
+            if (!ends) continue;
+            result.add({.rate = std::exp(median_of(rates)),
+                        .viscosity = std::exp(median_of(viscosities)),
+                        .weight = weight});
+            rates.clear();
+            viscosities.clear();
+            weight = 0.0;
+        }
+        return result;
     }
     [[nodiscard]] std::size_t size() const { return points_.size(); }
     [[nodiscard]] std::span<const FlowPoint> points() const { return points_; }
@@ -94,7 +132,21 @@ class Residuals {
             .points = points_.size(), .parameters = law.parameters(), .evaluate = evaluate});
     }
 
+    [[nodiscard]] std::vector<double> residuals(const LawModel& law, std::span<const double> theta) const {
+        std::vector<double> r(size());
+        with(law, [&](const LeastSquaresModel& model) { model.evaluate(theta, r, {}); });
+        return r;
+    }
+
   private:
+    Residuals() = default;
+    void add(const FlowPoint& point) {
+        points_.push_back(point);
+        log_rate_.push_back(std::log(point.rate));
+        log_viscosity_.push_back(std::log(point.viscosity));
+        weights_.push_back(point.weight);
+    }
+
     std::vector<FlowPoint> points_;
     std::vector<double> log_rate_;
     std::vector<double> log_viscosity_;
@@ -206,7 +258,9 @@ FittedParameter parameter(const ParameterShape& shape, double log_value, double 
                       .high = high,
                       .determined = known && 2.0 * t * error <= std::log(7.0)};
     if (shape.complement) {
-        p.value = 1.0 - value;
+        // What rounding leaves of 1 - 1 would be a flow index just below 0, which no prediction takes.
+        constexpr double rounding_of_one = 1e-12;
+        p.value = std::abs(1.0 - value) < rounding_of_one ? 0.0 : 1.0 - value;
         p.low = 1.0 - high;
         p.high = 1.0 - low;
     }
@@ -281,11 +335,14 @@ double held_eta_inf(LawChoice choice, const FlowCurveFitOptions& options) {
 }
 
 std::vector<Robust> robust_fits(const Residuals& data, const FlowCurveFitOptions& options) {
+    const bool many = data.size() > most_searched;
+    const Residuals searched = many ? data.condensed() : data;
     std::vector<Robust> fits;
     for (const LawChoice choice : candidates()) {
         const LawModel law(choice, held_eta_inf(choice, options));
         if (!enough_points(law, data)) continue;
-        if (std::optional<LeastSquaresFit> fit = robust_fit(law, data)) {
+        if (std::optional<LeastSquaresFit> fit = robust_fit(law, searched)) {
+            if (many) fit->residuals = data.residuals(law, fit->x);
             fits.push_back({law, std::move(*fit)});
         }
     }

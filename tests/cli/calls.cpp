@@ -107,6 +107,10 @@ TEST_CASE("command: every problem of a call is told at once with status 2") {
     CHECK(run("--flowrate 1uL/s --velocity 5mm/s").status == 2);
     CHECK(run("--radius 50um --needle 25G").status == 2);
     CHECK(run("--radius 50um --radius 60um").status == 2);
+    CHECK(contains(run("--format json --format json").err, "--format: given twice; give it once"));
+    CHECK(run("--json --json --population --population -q -q").status == 0);
+    CHECK(contains(run("--population --get population.exposure.p95").err, "add --length"));
+    CHECK(run("-q --population --length 5mm --get population.exposure.p95").status == 0);
     CHECK(run("--pressure 1bar").status == 2);
     CHECK(run("--tip steel").status == 2);
     CHECK(run("--ink no-such-ink").status == 2);

@@ -76,6 +76,15 @@ TEST_CASE("design: what is wrong with the question is told at once") {
     CHECK(run("design --solve flowrate").status == 2);
     CHECK(contains(run("design --limit 'nozzle.stress_max<2kPa'").err,
                    "radius, flowrate, velocity, pressure, pressure-gradient or alpha"));
+    const Outcome twice = run("design --solve flowrate --solve radius --limit 'nozzle.stress_max<2kPa'");
+    CHECK(twice.status == 2);
+    CHECK(contains(twice.err, "--solve: given twice; give it once"));
+    CHECK_FALSE(contains(twice.err, "missing"));
+    CHECK(contains(run("design --solve flowrate --limit 'nozzle.stress_max<2kPa' --range 1uL/h:2uL/h "
+                       "--range 1uL/h:2uL/h")
+                       .err,
+                   "--range: given twice; give it once"));
+    CHECK_FALSE(contains(run("design --limit 'nozzle.stress_max<2kPa' --solve").err, "is missing"));
     const Outcome spread = run(
         "design --solve velocity --uncertainty --limit 'uncertainty.nozzle.stress_max.percentile_95<600Pa'");
     CHECK(spread.status == 2);

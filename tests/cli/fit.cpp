@@ -177,7 +177,7 @@ TEST_CASE("fit command: what leaves a parameter open is called by its name") {
     // More than any prediction takes.
     const auto steep = [](double rate) { return std::pow(rate, 1.4); };
     CHECK(contains(notes("--law power-law", steep, 0.02),
-                   "not_predicted: no prediction takes this ink: flow-index: got 2."));
+                   "not_predicted: no prediction takes this ink: flow-index: got 2.39"));
     const auto falling = [](double rate) { return 20.0 / (1.0 + std::pow(3.0 * rate, 1.3)); };
     CHECK(contains(notes("--law carreau-yasuda", falling, 0.001), "not_predicted"));
     CHECK_FALSE(contains(notes("--law cross", falling, 0.001), "not_predicted"));
@@ -241,6 +241,8 @@ TEST_CASE("fit command: wrong calls and files end with one clear line") {
           {"fit curve.txt --get fit.nothing", 2, "fit.nothing"},
           {"fit curve.txt other.txt", 2, "an argument too many"},
           {"fit curve.txt --bogus", 2, "no such option"},
+          {"fit curve.txt --law cross --law cross", 2, "--law: given twice; give it once"},
+          {"fit curve.txt --interval 1 --interval 1", 2, "--interval: given twice; give it once"},
           {"fit curve.txt -o no/such/dir/x", 4, "no/such/dir"},
           {"-q fit curve.txt", 2, "comes first"}}) {
         CAPTURE(call);
@@ -256,6 +258,37 @@ TEST_CASE("fit command: wrong calls and files end with one clear line") {
     const Outcome both = run("fit curve.txt --law x --eta-inf y");
     CHECK(contains(both.err, "--law"));
     CHECK(contains(both.err, "--eta-inf"));
+}
+
+TEST_CASE("fit command: of points too few to choose a law best takes the Cross law and says so") {
+    write_scratch("few.csv", rheometer_export(ExportKind::plain, curve(0.01, 1000.0, 4)));
+    const Outcome outcome = run("fit few.csv --law best");
+    CHECK(outcome.status == 0);
+    CHECK(contains(outcome.out, "cross *"));
+    CHECK(contains(outcome.out, "4 points are too few to choose a law: this is the Cross law"));
+    write_scratch("three.csv", rheometer_export(ExportKind::plain, curve(0.01, 1000.0, 3)));
+    const Outcome three = run("fit three.csv --law best");
+    CHECK(three.status == 2);
+    CHECK(contains(three.err, "3 points are too few to choose a law"));
+}
+
+TEST_CASE("fit command: an ink no prediction takes is not offered to one") {
+    std::string text = "rate [1/s],viscosity [Pa.s]\n";
+    for (int i = 0; i < 12; ++i) {
+        const double rate = std::pow(10.0, 0.25 * i);
+        text += std::to_string(rate) + "," + std::to_string(std::pow(rate, 1.5)) + "\n";
+    }
+    write_scratch("thick.csv", text);
+    const Outcome table = run("fit thick.csv --law power-law");
+    CHECK(table.status == 0);
+    CHECK(contains(table.out, "To predict with it\n  no prediction takes this ink: flow-index: got 2.5"));
+    CHECK_FALSE(contains(table.out, "--preset"));
+    const Outcome preset = run("fit thick.csv --law power-law --preset thick.json");
+    CHECK(preset.status == 2);
+    CHECK(preset.out.empty());
+    CHECK(contains(preset.err, "--preset: no prediction takes this ink"));
+    CHECK(contains(preset.err, "fit another law with --law"));
+    CHECK(run("--ink ./thick.json").status == 4);  // there is no such file
 }
 
 TEST_CASE("fit command: standard input is a file too") {

@@ -81,6 +81,17 @@ TEST_CASE("quantity list: malformed lists and ranges are refused") {
           "--radius: got '0:1:0', a range whose step is 0; it takes a length such as 50um");
 }
 
+TEST_CASE("quantity list: a list and a range do not mix") {
+    for (const char* const text :
+         {"0.05um,0.1um:0.3um:0.1um", "1um,2um:4um:1um", "1,2,3:5:1um", "1:3:1.5,4um"}) {
+        CAPTURE(text);
+        CHECK(refusal(text).find("which mixes a list and a range; write every value out") !=
+              std::string::npos);
+    }
+    CHECK(refusal("0:0,3:0,1um").find("which has a comma; decimals") != std::string::npos);
+    CHECK(numbers("0,1:0,3:0,1", {.decimal_comma = true}) == Values{0.1, 0.2, 0.3});
+}
+
 TEST_CASE("offsets: lengths and cell radii may be mixed in a list") {
     const auto offsets = parse_offsets("0,1.5Rc,3Rc,20um");
     REQUIRE(offsets.size() == 4);

@@ -160,6 +160,50 @@ TEST_CASE("rheometer: rows that are no points are dropped with their reason and 
     CHECK(data.dropped[2].count == 3);
 }
 
+TEST_CASE("rheometer: words between the rows are a row left out and the curve goes on") {
+    const std::string above = "Shear rate [1/s],Viscosity [Pa.s]\n0.1,10\n1,8\n";
+    for (const char* const words :
+         {"overload,overload", "OVER,OVER", "<LOD,<LOD", "manual stop,", "comment: bubble,",
+          "sensor error,overload", "\nError,Error\n", "---,---", "n/a,#DIV/0!"}) {
+        CAPTURE(words);
+        const RheometerData data = read(above + words + "\n10,5\n100,2\n");
+        CHECK(data.intervals.size() == 1);
+        CHECK(data.points.size() == 4);
+        CHECK(data.remarks.empty());
+        REQUIRE(data.dropped.size() == 1);
+        CHECK(data.dropped[0].count == 1);
+    }
+    // What names columns begins a table of its own, and one without a curve is said to be left out.
+    for (const char* const words : {"Time,Torque", "Time [s],Torque [mN.m]", "\nstart,end"}) {
+        CAPTURE(words);
+        const RheometerData data = read(above + words + "\n10,5\n100,2\n");
+        CHECK(data.intervals.size() == 2);
+        CHECK(data.points.size() == 2);
+        REQUIRE_FALSE(data.remarks.empty());
+        CHECK(contains(data.remarks.back(), "is left out: no column of shear rate among"));
+        CHECK(contains(data.remarks.back(), "delete the words before them"));
+    }
+    CHECK(read(above + "rate,viscosity\n10,5\n100,2\n").points.size() == 4);
+}
+
+TEST_CASE("rheometer: a column of logarithms is not the quantity") {
+    const RheometerData data = read(
+        "log shear rate [1/s],shear rate [1/s],log10(viscosity) [Pa.s],viscosity [Pa.s]\n"
+        "0,1,1,10\n1,10,0.7,5\n2,100,0.3,2\n");
+    CHECK(data.points.size() == 3);
+    CHECK(data.points.back().rate == 100.0);
+    CHECK(data.points.back().viscosity == 2.0);
+    for (const char* const log : {"log", "lg", "ln", "Log10", "log_10"}) {
+        CAPTURE(log);
+        const std::string word(log);
+        const std::string message =
+            refusal(word + " shear rate [1/s]," + word + " viscosity [Pa.s]\n0.1,1\n1,0.7\n2,0.3\n");
+        CHECK(contains(message, "'" + word + " viscosity [Pa.s]': logarithms are not read"));
+        CHECK(contains(message, "export the quantity itself"));
+    }
+    CHECK(read("Logger shear rate [1/s],viscosity [Pa.s]\n1,10\n10,5\n").points.size() == 2);
+}
+
 TEST_CASE("rheometer: an interval is chosen by its number and a wrong one lists those there are") {
     const std::string file =
         "Shear rate [1/s],Viscosity [Pa.s]\n0.1,10\n1,8\n10,5\n"
@@ -174,7 +218,9 @@ TEST_CASE("rheometer: a curve turned backwards counts as forwards") {
         read("rate [1/s],stress [Pa],viscosity [Pa.s]\n-1,-5,5\n-10,-30,3\n-100,-100,1\n");
     CHECK(data.points.size() == 3);
     CHECK(data.points[0].rate == 1.0);
-    CHECK(contains(data.remarks.back(), "backwards"));
+    CHECK(contains(data.remarks.back(), "3 rows turn backwards"));
+    CHECK(
+        contains(read("rate [1/s],viscosity [Pa.s]\n1,5\n-10,3\n").remarks.back(), "1 row turns backwards"));
 }
 
 TEST_CASE("rheometer: a viscosity that is not stress over rate is remarked") {

@@ -191,6 +191,43 @@ TEST_CASE("fit: a point of weight four is worth four of weight one") {
         CHECK(p.value == doctest::Approx(value(four, p.name)).epsilon(1e-6));
 }
 
+TEST_CASE("fit: errors and scatter do not depend on how many points the search for a start condenses") {
+    for (const int count : {900, 1001, 5500, 20000}) {
+        CAPTURE(count);
+        const FlowCurveFit fit = fit_flow_curve(curve(cross(10.0, 0.05, 0.75), 0.01, 1000.0, count, 0.05));
+        const LawFit& law = *fit.find({FittedLaw::cross, false});
+        const double known[] = {10.0, 0.05, 0.75};
+        for (std::size_t i = 0; i < 3; ++i) {
+            CHECK(std::abs(law.parameters[i].value - known[i]) < 3.5 * law.parameters[i].standard_error);
+        }
+        // As 1/sqrt(n); 0.029 Pa s for 900 points.
+        CHECK(law.parameters[0].standard_error * std::sqrt(count / 900.0) ==
+              doctest::Approx(0.029).epsilon(0.15));
+        CHECK(law.scatter == doctest::Approx(0.05).epsilon(0.06));
+        // A law that does not fit scatters by its misfit, whatever the number of points.
+        CHECK(fit.find({FittedLaw::power_law, false})->scatter == doctest::Approx(0.403).epsilon(0.02));
+        CHECK(fit.laws.front().choice.law != FittedLaw::power_law);
+    }
+}
+
+TEST_CASE("fit: of many points at few rates no rate is lost") {
+    std::vector<FlowPoint> points;
+    for (const auto& [rate, count] : {std::pair{0.1, 2000}, {3.0, 7}, {30.0, 1500}, {300.0, 9}}) {
+        points.insert(points.end(), count, {rate, cross(10.0, 0.05, 0.75)(rate)});
+    }
+    const FlowCurveFit fit = fit_flow_curve(points);
+    CHECK(fit.points_used == points.size());
+    const LawFit& law = *fit.find({FittedLaw::cross, false});
+    CHECK(value(law, "eta0") == doctest::Approx(10.0).epsilon(exact));
+    CHECK(value(law, "alpha") == doctest::Approx(0.75).epsilon(exact));
+}
+
+TEST_CASE("fit: a flow index of 0 is not rounded below it") {
+    const LawFit law = *fit_flow_curve(curve([](double g) { return 60.0 / g; }, 0.1, 50.0, 9))
+                            .find({FittedLaw::carreau_yasuda, false});
+    CHECK(value(law, "flow_index") >= 0.0);
+}
+
 TEST_CASE("fit: too few rates and values that are no measurement are refused") {
     CHECK_THROWS_AS(fit_flow_curve({}), UsageError);
     CHECK_THROWS_AS(fit_flow_curve(std::vector<FlowPoint>{{1.0, 2.0}}), UsageError);
