@@ -237,6 +237,7 @@ class Reader {
         }
         if (words.size() != fields_.size() || words.front().starts_with('#')) return;
         std::vector<ColumnHead> heads;
+        heads.reserve(words.size());
         for (const std::string_view word : words) heads.push_back(split_head(word));
         if (open_ && !names_columns(heads)) return;  // "manual stop" between the rows of two columns
         pending_.back().fields = {words.begin(), words.end()};
