@@ -150,12 +150,13 @@ std::size_t RecordCount::rows(const RowRange& range) const {
     return range.end - range.begin - static_cast<std::size_t>(last - first);
 }
 
+bool holds_json_lines(const std::string& file) {
+    const std::unique_ptr<ByteSource> source = open_bytes(file);
+    return starts_as_json(Peeked(*source).head());
+}
+
 RecordCount count_records(const std::string& file) {
-    const bool json = [&] {
-        const std::unique_ptr<ByteSource> source = open_bytes(file);
-        return starts_as_json(Peeked(*source).head());
-    }();
-    return json ? RecordCount{.records = count_json_lines(file)} : count_csv_records(file);
+    return holds_json_lines(file) ? RecordCount{.records = count_json_lines(file)} : count_csv_records(file);
 }
 
 }  // namespace bioprint
