@@ -31,8 +31,11 @@ struct RowAnswer {
 RowAnswer answer_row(const std::function<Settings()>& question, const Extras& extras = {},
                      const std::function<Json(const Settings&)>& answer = {});
 
-/// The values at `paths`, one line, separated by tabs; `null` for what this answer lacks and others may have, and for
-/// a refusal, all but its `id`.
+/// Adds to a refusal what it was asked, where an answer has it: a velocity or a pressure in `nozzle`, all else in `input`.
+void add_question(Json& refusal, const Settings& asked);
+
+/// The values at `paths`, one line, separated by tabs; `null` for what this answer lacks and others may have, as a
+/// refusal lacks all but its `id`, its error and the swept values.
 struct ValuesLine {
     std::string text;
     std::vector<bool> absent;  ///< of each path, whether this answer has no such place; empty for a refusal

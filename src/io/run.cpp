@@ -174,9 +174,10 @@ RunResult run_sweep(const Sweep& sweep, const RunOptions& options, const Sink& s
         const std::size_t count = std::min(chunk, rows.end - begin);
         std::vector<RowText> texts(count);
         for_each_index(count, options.jobs, [&](std::size_t i) {
-            const RowAnswer answer =
+            RowAnswer answer =
                 answer_row([&] { return sweep.row(begin + i); }, options.extras, options.answer);
             if (options.row_seen) options.row_seen(begin + i, answer.object);
+            if (answer.refused) add_question(answer.object, sweep.swept_values(begin + i));
             texts[i] = writer.written(answer);
         });
         // What a simulation had when it was interrupted is no answer.

@@ -204,6 +204,41 @@ TEST_CASE("json lines batch: an object a line in and out") {
     CHECK(contains(json::parse(rows[3])["error"]["message"], "line 4"));
 }
 
+TEST_CASE("json lines batch: the values of a refused line are its error and its id") {
+    const std::string call =
+        "--batch - --get id --get error.code --get error.message --get nozzle.stress_max";
+    const Outcome outcome =
+        run(call, "{\"radius\":\"5s\",\"id\":\"r1\"}\n{\"alpha\":0,\"radius\":\"50um\",\"id\":\"r2\"}\n");
+    CHECK(outcome.status == 6);
+    const auto rows = lines(outcome.out);
+    CHECK(rows[0].starts_with("r1\tusage\tradius: "));
+    CHECK(rows[0].ends_with("\tnull"));
+    CHECK(rows[1] == "r2\tnull\tnull\t2000");
+    CHECK_FALSE(contains(outcome.err, "none of the rows"));
+    CHECK_FALSE(contains(run(call, "{\"alpha\":0}\n").err, "none of the rows"));
+    CHECK(run("--batch - --get error.cod", "alpha\n0\n").status == 2);
+}
+
+TEST_CASE("sweep: a row without an answer keeps its swept values") {
+    const std::string sweep = "-q --model steady --alpha 0.5,1.3 --velocity 1m/s,2m/s --diameter 100um,120um";
+    const auto values =
+        lines(run(sweep + " --get input.ink.alpha --get nozzle.velocity_average --get input.radius "
+                          "--get nozzle.stress_max")
+                  .out);
+    CHECK(values[4] == "1.3\t1\t5e-05\tnull");
+    CHECK(values[7] == "1.3\t2\t6e-05\tnull");
+    const std::string csv = run(sweep + " --format csv").out;
+    CHECK(cell(csv, 8, "input.ink.alpha") == "1.3");
+    CHECK(cell(csv, 8, "nozzle.velocity_average [m/s]") == "2");
+    CHECK(cell(csv, 8, "input.radius [m]") == "6e-05");
+    CHECK(cell(csv, 8, "nozzle.stress_max [Pa]").empty());
+    const json row =
+        json::parse(lines(run("-q --needle 25G,27G --alpha 0.5,1.3 --velocity 1m/s --format jsonl").out)[3]);
+    CHECK(row["input"]["ink"]["alpha"] == 1.3);
+    CHECK(row["input"]["needle"]["name"] == "27G");
+    CHECK(row["error"]["code"] == "no_steady_flow");
+}
+
 TEST_CASE("json lines batch: a line's id comes back with its answer or its error") {
     const std::string asked =
         "{\"id\": \"B7\", \"radius\": \"50um\"}\n{\"id\": 12, \"radius\": \"-1um\"}\n"
