@@ -72,8 +72,10 @@ RunResult run_json_lines(ByteSource& source, const BatchInput& input, const RunO
     JsonLinesReader reader(source);
     for (std::size_t i = 0; i < share.begin && reader.next(); ++i) {
     }
-    const RowWriter writer(options, 3 * cell_entries(defaults), defaults.has(Key::population),
-                           3 * passage_entries(defaults));
+    AnswerShape shape = shape_of(defaults);
+    shape.cells *= 3;
+    shape.passages *= 3;
+    const RowWriter writer(options, shape);
     RunResult result = options.start;
     result.format = options.format;
     for (std::size_t passed = 0; passed < result.read && reader.next(); ++passed) continue;

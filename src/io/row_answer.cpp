@@ -128,14 +128,24 @@ std::size_t cell_entries(const Settings& settings) {
     return positions.size() + static_cast<std::size_t>(centred);
 }
 
+namespace {
+
 std::size_t passage_entries(const Settings& settings) {
     if (steady_alone(settings)) return 0;
     return settings.has(Key::offset) ? settings.at(Key::offset).positions.size() : 4;
 }
 
-RowWriter::RowWriter(const RunOptions& options, std::size_t cell_entries, bool population,
-                     std::size_t passages)
-    : options_(options), columns_(cell_entries, population, passages, options.extras) {}
+}  // namespace
+
+AnswerShape shape_of(const Settings& settings) {
+    return {.cells = cell_entries(settings),
+            .population = settings.has(Key::population),
+            .passages = passage_entries(settings),
+            .thresholds = settings.has(Key::threshold) ? settings.at(Key::threshold).numbers.size() : 0};
+}
+
+RowWriter::RowWriter(const RunOptions& options, const AnswerShape& shape)
+    : options_(options), columns_(shape, options.extras) {}
 
 std::string RowWriter::head() const {
     if (!options_.paths.empty()) return {};

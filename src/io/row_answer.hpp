@@ -70,12 +70,12 @@ CsvDialect fresh_dialect();
 
 /// Entries of `cells` a question with these settings can have.
 std::size_t cell_entries(const Settings& settings);
-/// And of `passages`: one a position, none by the steady theory alone.
-std::size_t passage_entries(const Settings& settings);
+/// And of the other parts; `passages` one a position, none by the steady theory alone.
+AnswerShape shape_of(const Settings& settings);
 
 class RowWriter {
   public:
-    RowWriter(const RunOptions& options, std::size_t cell_entries, bool population, std::size_t passages);
+    RowWriter(const RunOptions& options, const AnswerShape& shape);
 
     [[nodiscard]] std::string head() const;
     [[nodiscard]] std::string csv_row(const Json& answer) const;

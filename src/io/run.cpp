@@ -81,7 +81,7 @@ void answer_one(const Settings& row, const RunOptions& options, const Sink& sink
         notice("--profile: as CSV or a workbook the answer is the profile alone; --format json has both");
         return sink(profile_csv(*prediction.profile));
     }
-    const RowWriter writer(options, cell_entries(row), row.has(Key::population), passage_entries(row));
+    const RowWriter writer(options, shape_of(row));
     sink(writer.head() + writer.csv_row(answer));
 }
 
@@ -162,8 +162,7 @@ RunResult run_sweep(const Sweep& sweep, const RunOptions& options, const Sink& s
         return result;
     }
 
-    RowWriter writer(options, cell_entries(sweep.fixed()), sweep.fixed().has(Key::population),
-                     passage_entries(sweep.fixed()));
+    const RowWriter writer(options, shape_of(sweep.fixed()));
     PathTally paths(options.paths);
     result = options.start;
     result.format = options.format;

@@ -105,6 +105,22 @@ TEST_CASE("csv batch: a path of the answer's input is a question where there is 
     CHECK(cell(outcome.out, 1, "nozzle.stress_max [Pa]") == "2000");
 }
 
+TEST_CASE("csv: what --threshold asks of a population has columns") {
+    const std::string share = "population.thresholds.0.share_above";
+    const std::string call = "-q --population --threshold 300Pa --threshold 1kPa --format csv";
+    const std::string one = run(call).out;
+    CHECK(cell(one, 1, "population.thresholds.0.stress [Pa]") == "300");
+    CHECK(cell(one, 1, "population.thresholds.1.stress [Pa]") == "1000");
+    CHECK(cell(one, 1, share) + "\n" == run("-q --population --threshold 300Pa --get " + share).out);
+    CHECK_FALSE(contains(run("-q --batch - --population", one).out, "thresholds"));  // an earlier run's
+    const std::string rows = "population,threshold [kPa]\nyes,0.3\nyes,\nyes,\"0.3,1\"\n";
+    const Outcome batch = run("-q --batch -", rows);
+    CHECK(cell(batch.out, 1, share) == cell(one, 1, share));
+    CHECK(cell(batch.out, 2, share).empty());
+    CHECK(batch.status == 6);
+    CHECK(contains(batch.out, "more thresholds than the first row has"));
+}
+
 TEST_CASE("csv batch: bytes that are no text are named and do not end the batch") {
     const Outcome outcome = run("--batch - -q --json", "alpha,radius [q\xFC]\n0,5\n0,\n");
     CHECK(outcome.status == 6);
