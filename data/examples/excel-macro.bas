@@ -23,10 +23,8 @@ Public Function BioprintPredict(question As String, path As String) As Variant
         BioprintPredict = CVErr(xlErrNA)
     ElseIf lines(0) = "null" Then
         BioprintPredict = CVErr(xlErrNA)
-    ElseIf InStr("-0123456789", Left(lines(0), 1)) > 0 Then
-        BioprintPredict = Val(lines(0))
     Else
-        BioprintPredict = lines(0)
+        BioprintPredict = NumberIn(CStr(lines(0)))
     End If
 End Function
 
@@ -37,6 +35,7 @@ Public Sub PredictSelection()
     Dim lines As Variant
     Dim paths As Variant
     Dim values As Variant
+    Dim filled As Variant
     Dim corner As Range
     Dim i As Long
     Dim k As Long
@@ -46,8 +45,13 @@ Public Sub PredictSelection()
     End If
     Set table = Selection
     paths = Split(ANSWERS, " ")
+    filled = FilledRows(table)
+    If UBound(filled) < 1 Then
+        MsgBox "Select a table first; its first row names options."
+        Exit Sub
+    End If
     batch = ScratchName(".csv")
-    WriteText batch, TableAsCsv(table)
+    WriteText batch, TableAsCsv(table, filled)
     arguments = "-q --batch """ & batch & """"
     For k = 0 To UBound(paths)
         arguments = arguments & " --get " & paths(k)
@@ -56,19 +60,42 @@ Public Sub PredictSelection()
     Kill batch
     Set corner = table.Cells(1, table.Columns.Count + 1)
     For k = 0 To UBound(paths)
-        corner.Offset(0, k).Value = paths(k)
+        corner.Offset(filled(0) - 1, k).Value = paths(k)
     Next k
-    For i = 0 To UBound(lines)
-        values = Split(lines(i), vbTab)
+    For i = 1 To UBound(filled)
+        ' One line for each row; with any other number nobody knows whose they are.
+        If UBound(lines) = UBound(filled) - 1 Then
+            values = Split(lines(i - 1), vbTab)
+        Else
+            values = Array("null")
+        End If
         For k = 0 To UBound(values)
-            If values(k) = "null" Then
-                corner.Offset(i + 1, k).Value = "no answer"
-            Else
-                corner.Offset(i + 1, k).Value = Val(values(k))
-            End If
+            corner.Offset(filled(i) - 1, k).Value = NumberIn(CStr(values(k)))
         Next k
     Next i
 End Sub
+
+Private Function NumberIn(text As String) As Variant
+    If text = "null" Then
+        NumberIn = "no answer"
+    ElseIf IsNumber(text) Then
+        NumberIn = Val(text)
+    Else
+        NumberIn = text
+    End If
+End Function
+
+' As the command writes them. A name may begin with a digit.
+Private Function IsNumber(text As String) As Boolean
+    Dim i As Long
+    IsNumber = False
+    If text = "" Then Exit Function
+    If InStr("-0123456789", Left(text, 1)) = 0 Then Exit Function
+    For i = 1 To Len(text)
+        If InStr("-+.e0123456789", Mid(text, i, 1)) = 0 Then Exit Function
+    Next i
+    IsNumber = True
+End Function
 
 ' The lines the command writes with these arguments; none when it has no answer.
 Private Function AnswerLines(arguments As String) As Variant
@@ -89,22 +116,44 @@ Private Function AnswerLines(arguments As String) As Variant
     text = Input(LOF(handle), #handle)
     Close #handle
     Kill file
-    Do While Right(text, 1) = vbLf Or Right(text, 1) = vbCr
-        text = Left(text, Len(text) - 1)
-    Loop
-    AnswerLines = Split(Replace(text, vbCr, ""), vbLf)
+    text = Replace(text, vbCr, "")
+    If Right(text, 1) = vbLf Then text = Left(text, Len(text) - 1)
+    AnswerLines = Split(text, vbLf)
 End Function
 
-' Comma-separated with decimal points, whatever the locale; texts in quotes.
-Private Function TableAsCsv(table As Range) As String
-    Dim csv As String
-    Dim cell As Range
+' The rows of the table that hold anything, the names first. An empty one asks nothing and has no answer.
+Private Function FilledRows(table As Range) As Variant
+    Dim found() As Long
+    Dim count As Long
     Dim row As Long
     Dim column As Long
     For row = 1 To table.Rows.Count
         For column = 1 To table.Columns.Count
+            If Trim(CStr(table.Cells(row, column).Value)) <> "" Then
+                ReDim Preserve found(count)
+                found(count) = row
+                count = count + 1
+                Exit For
+            End If
+        Next column
+    Next row
+    If count = 0 Then
+        FilledRows = Array()
+    Else
+        FilledRows = found
+    End If
+End Function
+
+' Comma-separated with decimal points, whatever the locale; texts in quotes.
+Private Function TableAsCsv(table As Range, filled As Variant) As String
+    Dim csv As String
+    Dim cell As Range
+    Dim i As Long
+    Dim column As Long
+    For i = 0 To UBound(filled)
+        For column = 1 To table.Columns.Count
             If column > 1 Then csv = csv & ","
-            Set cell = table.Cells(row, column)
+            Set cell = table.Cells(filled(i), column)
             If IsEmpty(cell.Value) Then
                 csv = csv & ""
             ElseIf VarType(cell.Value) = vbDouble Then
@@ -114,7 +163,7 @@ Private Function TableAsCsv(table As Range) As String
             End If
         Next column
         csv = csv & vbLf
-    Next row
+    Next i
     TableAsCsv = csv
 End Function
 

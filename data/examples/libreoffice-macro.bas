@@ -41,14 +41,20 @@ Sub PredictRange(table As Object)
     Dim lines As Variant
     Dim paths As Variant
     Dim values As Variant
+    Dim filled As Variant
     Dim address As Object
     Dim sheet As Object
     Dim arguments As String
     Dim i As Long
     Dim k As Long
     paths = Split(ANSWERS, " ")
+    filled = FilledRows(table)
+    If UBound(filled) < 1 Then
+        MsgBox "Select a table first; its first row names options."
+        Exit Sub
+    End If
     batch = ScratchName(".csv")
-    WriteText(batch, TableAsCsv(table))
+    WriteText(batch, TableAsCsv(table, filled))
     arguments = "-q --batch """ & batch & """"
     For k = 0 To UBound(paths)
         arguments = arguments & " --get " & paths(k)
@@ -58,18 +64,28 @@ Sub PredictRange(table As Object)
     address = table.getRangeAddress()
     sheet = table.getSpreadsheet()
     For k = 0 To UBound(paths)
-        sheet.getCellByPosition(address.EndColumn + 1 + k, address.StartRow).setString(paths(k))
+        sheet.getCellByPosition(address.EndColumn + 1 + k, address.StartRow + filled(0)).setString(paths(k))
     Next k
-    For i = 0 To UBound(lines)
-        values = Split(lines(i), Chr(9))
+    For i = 1 To UBound(filled)
+        ' One line for each row; with any other number nobody knows whose they are.
+        If UBound(lines) = UBound(filled) - 1 Then
+            values = Split(lines(i - 1), Chr(9))
+        Else
+            values = Array("null")
+        End If
         For k = 0 To UBound(values)
-            If values(k) = "null" Then
-                sheet.getCellByPosition(address.EndColumn + 1 + k, address.StartRow + 1 + i).setString("no answer")
-            Else
-                sheet.getCellByPosition(address.EndColumn + 1 + k, address.StartRow + 1 + i).setValue(Val(values(k)))
-            End If
+            PutValue(sheet.getCellByPosition(address.EndColumn + 1 + k, address.StartRow + filled(i)), NumberIn(values(k)))
         Next k
     Next i
+End Sub
+
+' 5 is the type of a number.
+Sub PutValue(cell As Object, value As Variant)
+    If VarType(value) = 5 Then
+        cell.setValue(value)
+    Else
+        cell.setString(value)
+    End If
 End Sub
 
 ' The lines the command writes with these arguments; none when it has no answer.
@@ -90,18 +106,20 @@ Function AnswerLines(arguments As String) As Variant
     count = 0
     Do While Not Eof(handle)
         Line Input #handle, text
-        ' A last line that is empty is what stands behind the last line end.
-        If text <> "" Then
-            ReDim Preserve found(count)
-            found(count) = text
-            count = count + 1
-        End If
+        ReDim Preserve found(count)
+        found(count) = text
+        count = count + 1
     Loop
     Close #handle
     Kill file
+    ' A last line that is empty is what stands behind the last line end.
+    If count > 0 Then
+        If found(count - 1) = "" Then count = count - 1
+    End If
     If count = 0 Then
         AnswerLines = Array()
     Else
+        ReDim Preserve found(count - 1)
         AnswerLines = found
     End If
 End Function
@@ -109,23 +127,59 @@ End Function
 Function NumberIn(text As String) As Variant
     If text = "null" Then
         NumberIn = "no answer"
-    ElseIf InStr("-0123456789", Left(text, 1)) > 0 Then
+    ElseIf IsNumber(text) Then
         NumberIn = Val(text)
     Else
         NumberIn = text
     End If
 End Function
 
-' Comma-separated with decimal points, whatever the locale; texts in quotes.
-Function TableAsCsv(table As Object) As String
-    Dim csv As String
-    Dim cell As Object
+' As the command writes them. A name may begin with a digit.
+Function IsNumber(text As String) As Boolean
+    Dim i As Long
+    IsNumber = False
+    If text = "" Then Exit Function
+    If InStr("-0123456789", Left(text, 1)) = 0 Then Exit Function
+    For i = 1 To Len(text)
+        If InStr("-+.e0123456789", Mid(text, i, 1)) = 0 Then Exit Function
+    Next i
+    IsNumber = True
+End Function
+
+' The rows of the table that hold anything, the names first. An empty one asks nothing and has no answer.
+Function FilledRows(table As Object) As Variant
+    Dim found() As Long
+    Dim count As Long
     Dim row As Long
     Dim column As Long
+    count = 0
     For row = 0 To table.getRows().getCount() - 1
         For column = 0 To table.getColumns().getCount() - 1
+            If Trim(table.getCellByPosition(column, row).getString()) <> "" Then
+                ReDim Preserve found(count)
+                found(count) = row
+                count = count + 1
+                Exit For
+            End If
+        Next column
+    Next row
+    If count = 0 Then
+        FilledRows = Array()
+    Else
+        FilledRows = found
+    End If
+End Function
+
+' Comma-separated with decimal points, whatever the locale; texts in quotes.
+Function TableAsCsv(table As Object, filled As Variant) As String
+    Dim csv As String
+    Dim cell As Object
+    Dim i As Long
+    Dim column As Long
+    For i = 0 To UBound(filled)
+        For column = 0 To table.getColumns().getCount() - 1
             If column > 0 Then csv = csv & ","
-            cell = table.getCellByPosition(column, row)
+            cell = table.getCellByPosition(column, filled(i))
             If cell.getString() = "" Then
                 csv = csv & ""
             ElseIf HoldsNumber(cell) Then
@@ -135,7 +189,7 @@ Function TableAsCsv(table As Object) As String
             End If
         Next column
         csv = csv & Chr(10)
-    Next row
+    Next i
     TableAsCsv = csv
 End Function
 

@@ -1,6 +1,8 @@
 #include "cli/picture_options.hpp"
 
 #include "cli/named_files.hpp"
+#include "io/batch.hpp"
+#include "io/shard.hpp"
 #include "io/workbook.hpp"
 
 namespace bioprint {
@@ -92,8 +94,15 @@ void collect_shard(const RawPictures& raw, Arguments& arguments, Problems& probl
     }
 }
 
-/// A file that a preset is read from, or another option writes, is not to be lost; the rows of a batch may be replaced by
-/// themselves with their answers.
+/// Whether the answer holds all that the batch holds: the rows of a CSV come back with their answers behind them.
+bool holds_batch(const RawPictures& raw, const Arguments& arguments) {
+    const bool whole = arguments.paths.empty() && !raw.shard && !arguments.dry_run;
+    if (!whole || arguments.format.value_or(Format::csv) != Format::csv) return false;
+    // Of what is no file nothing can be lost, and a first look would take from a stream.
+    return !can_be_read_twice(*arguments.batch) || !holds_json_lines(*arguments.batch);
+}
+
+/// A file that is read, or that another option writes, is not to be lost.
 void check_files(const RawPictures& raw, const Arguments& arguments, Problems& problems) {
     std::vector<NamedFile> files = {{.option = "--output", .file = arguments.output},
                                     {.option = "--history", .file = arguments.history},
@@ -103,6 +112,9 @@ void check_files(const RawPictures& raw, const Arguments& arguments, Problems& p
     for (const auto& [key, text] : arguments.given) {
         const bool file = text.find('/') != std::string::npos || text.ends_with(".json");
         if (key == Key::ink && file) files.push_back({.option = "--ink", .file = text, .written = false});
+    }
+    if (arguments.batch && arguments.output && !holds_batch(raw, arguments)) {
+        files.push_back({.option = "--batch", .file = arguments.batch, .written = false});
     }
     refuse_shared_files(files, problems);
 }

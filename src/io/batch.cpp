@@ -73,8 +73,10 @@ RunResult run_json_lines(ByteSource& source, const BatchInput& input, const RunO
     JsonLinesReader reader(source);
     for (std::size_t i = 0; i < share.begin && reader.next(); ++i) {
     }
-    const RowWriter writer(options, 3 * cell_entries(defaults), defaults.has(Key::population),
-                           3 * passage_entries(defaults));
+    AnswerShape shape = shape_of(defaults);
+    shape.cells *= 3;
+    shape.passages *= 3;
+    const RowWriter writer(options, shape);
     RunResult result = options.start;
     result.format = options.format;
     for (std::size_t passed = 0; passed < result.read && reader.next(); ++passed) continue;
@@ -153,12 +155,13 @@ std::size_t RecordCount::rows(const RowRange& range) const {
     return range.end - range.begin - static_cast<std::size_t>(last - first);
 }
 
+bool holds_json_lines(const std::string& file) {
+    const std::unique_ptr<ByteSource> source = open_bytes(file);
+    return starts_as_json(Peeked(*source).head());
+}
+
 RecordCount count_records(const std::string& file) {
-    const bool json = [&] {
-        const std::unique_ptr<ByteSource> source = open_bytes(file);
-        return starts_as_json(Peeked(*source).head());
-    }();
-    return json ? RecordCount{.records = count_json_lines(file)} : count_csv_records(file);
+    return holds_json_lines(file) ? RecordCount{.records = count_json_lines(file)} : count_csv_records(file);
 }
 
 }  // namespace bioprint

@@ -23,6 +23,10 @@ struct BatchInput {
 RunResult run_batch(const BatchInput& input, std::optional<Format> format, const RunOptions& options,
                     const Sink& sink, const Sink& notice);
 
+/// Whether a batch is JSON Lines; what is not is taken as CSV.
+/// @throws DataError  the file cannot be read
+bool holds_json_lines(const std::string& file);
+
 /// The records of a batch, by which it is shared out; an empty line of a CSV is one, but no row.
 struct RecordCount {
     std::size_t records = 0;

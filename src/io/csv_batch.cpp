@@ -138,12 +138,15 @@ class CsvBatch {
         remark_on_columns(notice);
         if (options_.shard) share_ = rows_of(*options_.shard, count_csv_records(input_.file).records);
         bool more = read_chunk();
-        const std::size_t cells = entries();
+        AnswerShape shape = shape_of(input_.defaults);
+        shape.cells = entries();
+        shape.population = shape.population || layout_.asks(Key::population);
+        shape.passages = shape.passages > 0 ? shape.cells / 3 : 0;
+        shape.thresholds = thresholds();
         Extras extras = options_.extras;
         extras.uncertainty.wanted = extras.uncertainty.wanted || (in_kind() && has_spreads());
         with_spread_ = extras.uncertainty.wanted;
-        columns_.emplace(cells, layout_.asks(Key::population) || input_.defaults.has(Key::population),
-                         passage_entries(input_.defaults) > 0 ? cells / 3 : 0, extras);
+        columns_.emplace(shape, extras);
         RunResult result = options_.start;
         result.format = options_.format;
         CheckTally tally(options_.extras.checks);
@@ -214,6 +217,21 @@ class CsvBatch {
             }
         }
         return cell_entries(input_.defaults);
+    }
+
+    /// And thresholds of the population.
+    [[nodiscard]] std::size_t thresholds() const {
+        const AnswerShape usual = shape_of(input_.defaults);
+        if (!layout_.asks(Key::threshold)) return usual.thresholds;
+        for (const Row& row : rows_) {
+            try {
+                const AnswerShape shape = shape_of(settings_of_row(row));
+                if (shape.thresholds > 0) return shape.thresholds;
+            } catch (const UsageError&) {
+                continue;
+            }
+        }
+        return usual.thresholds;
     }
 
     /// Whether any cell has a ±, so that there are columns for what comes of it. A file is read through for that; of a
@@ -339,7 +357,11 @@ class CsvBatch {
         const auto question = [&] {
             if (!row.fault.empty()) throw UsageError("line " + std::to_string(row.line) + ": " + row.fault);
             Settings settings = settings_of_row(row);
-            if (layout_.asks(Key::offset) && cell_entries(settings) > columns_->cell_entries() && in_kind()) {
+            if (in_kind() && shape_of(settings).thresholds > columns_->shape().thresholds) {
+                throw UsageError("line " + std::to_string(row.line) +
+                                 ": more thresholds than the first row has; put the longest list first");
+            }
+            if (layout_.asks(Key::offset) && cell_entries(settings) > columns_->shape().cells && in_kind()) {
                 throw UsageError("line " + std::to_string(row.line) +
                                  ": more positions than the first row has; put the longest list first");
             }

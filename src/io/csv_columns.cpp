@@ -77,6 +77,7 @@ constexpr std::array<std::string_view, 14> population_paths = {
     "population.exposure.median",           "population.exposure.percentile_90",
     "population.exposure.percentile_95",    "population.exposure.percentile_99",
     "population.exposure.largest",          "population.error"};
+constexpr std::array<std::string_view, 2> threshold_paths = {"stress", "share_above"};
 // Behind all that an ink by the Cross law has, so that its columns stay where they were.
 constexpr std::array<std::string_view, 8> law_paths = {
     "input.ink.law",        "input.ink.consistency", "input.ink.flow_index", "input.ink.yield_stress",
@@ -124,28 +125,30 @@ std::string warning_codes(const Json& warnings) {
 }
 
 /// The paths of the numbers that can have a spread.
-std::vector<std::string> spread_numbers(std::size_t cell_entries, bool population, std::size_t passages) {
+std::vector<std::string> spread_numbers(const AnswerShape& shape) {
     std::vector<std::string> paths;
     for (const std::string_view path : leading_paths) {
         if (!path.starts_with("input.")) paths.emplace_back(path);
     }
     paths.emplace_back("exit.elongational_stress");
-    for (std::size_t i = 0; i < cell_entries; ++i) {
+    for (std::size_t i = 0; i < shape.cells; ++i) {
         for (const std::string_view path : cell_paths) {
             if (path != "place" && path != "model" && path != "applies" && !is_error(path))
                 paths.push_back("cells." + std::to_string(i) + "." + std::string(path));
         }
     }
-    for (std::size_t i = 0; i < passages; ++i) {
+    for (std::size_t i = 0; i < shape.passages; ++i) {
         for (const std::string_view path : passage_paths) {
             if (path != "peak.place" && path != "nozzle.settles" && !is_error(path))
                 paths.push_back("passages." + std::to_string(i) + "." + std::string(path));
         }
     }
-    if (!population) return paths;
+    if (!shape.population) return paths;
     for (const std::string_view path : population_paths) {
         if (!is_error(path)) paths.emplace_back(path);
     }
+    for (std::size_t i = 0; i < shape.thresholds; ++i)
+        paths.push_back("population.thresholds." + std::to_string(i) + ".share_above");
     return paths;
 }
 
@@ -163,24 +166,26 @@ std::string spread_number(std::string_view header) {
 
 }  // namespace
 
-CsvColumns::CsvColumns(std::size_t cell_entries, bool population, std::size_t passages, const Extras& extras)
-    : cell_entries_(cell_entries) {
+CsvColumns::CsvColumns(const AnswerShape& shape, const Extras& extras) : shape_(shape) {
     for (const std::string_view path : leading_paths) add(std::string(path));
     add("exit.elongational_stress");
-    for (std::size_t i = 0; i < cell_entries; ++i) {
+    for (std::size_t i = 0; i < shape.cells; ++i) {
         for (const std::string_view path : cell_paths)
             add("cells." + std::to_string(i) + "." + std::string(path));
     }
-    for (std::size_t i = 0; i < passages; ++i) {
+    for (std::size_t i = 0; i < shape.passages; ++i) {
         for (const std::string_view path : passage_paths)
             add("passages." + std::to_string(i) + "." + std::string(path));
     }
-    if (population) {
+    if (shape.population) {
         for (const std::string_view path : population_paths) add(std::string(path));
+        for (std::size_t i = 0; i < shape.thresholds; ++i) {
+            for (const std::string_view path : threshold_paths)
+                add("population.thresholds." + std::to_string(i) + "." + std::string(path));
+        }
     }
     for (const std::string_view path : law_paths) add(std::string(path));
-    for (const std::string& path : extra_paths(extras, spread_numbers(cell_entries, population, passages)))
-        add(path);
+    for (const std::string& path : extra_paths(extras, spread_numbers(shape))) add(path);
     for (const std::string_view path : trailing_paths) add(std::string(path));
 }
 
@@ -228,7 +233,8 @@ bool is_answer_header(std::string_view header) {
         return dot != std::string_view::npos && is_index(rest.substr(0, dot)) &&
                std::find(paths.begin(), paths.end(), rest.substr(dot + 1)) != paths.end();
     };
-    known = known || listed("cells.", cell_paths) || listed("passages.", passage_paths);
+    known = known || listed("cells.", cell_paths) || listed("passages.", passage_paths) ||
+            listed("population.thresholds.", threshold_paths);
     if (const std::string number = spread_number(header); !number.empty()) return is_answer_header(number);
     return (known && with_unit(path) == header) || is_extra_header(header);
 }

@@ -17,6 +17,14 @@
 /// cells).
 namespace bioprint {
 
+/// What an answer has of the parts whose number of values is the question's.
+struct AnswerShape {
+    std::size_t cells;           ///< entries of `cells`
+    bool population = false;     ///< whether there are columns for it
+    std::size_t passages = 0;    ///< entries of `passages`
+    std::size_t thresholds = 0;  ///< of the population
+};
+
 class CsvColumns {
   public:
     /// One name of a dotted path; a number is an index where the answer has a list.
@@ -25,12 +33,9 @@ class CsvColumns {
         std::optional<std::size_t> index;
     };
 
-    /// @param cell_entries  entries of `cells` to provide columns for
-    /// @param population    whether to provide columns for it
-    /// @param passages      entries of `passages`
-    CsvColumns(std::size_t cell_entries, bool population, std::size_t passages, const Extras& extras = {});
+    explicit CsvColumns(const AnswerShape& shape, const Extras& extras = {});
 
-    [[nodiscard]] std::size_t cell_entries() const { return cell_entries_; }
+    [[nodiscard]] const AnswerShape& shape() const { return shape_; }
     /// Names with units, in order.
     [[nodiscard]] const std::vector<std::string>& headers() const { return headers_; }
     /// Writes the cells of an answer or refusal; what it does not have is an empty cell.
@@ -38,7 +43,7 @@ class CsvColumns {
 
   private:
     void add(const std::string& path);
-    std::size_t cell_entries_;
+    AnswerShape shape_;
     std::vector<std::vector<Step>> paths_;
     std::vector<std::string> headers_;
 };

@@ -10,7 +10,8 @@ ExtraResults no_extras(const Extras& extras) {
 
 std::vector<std::string> spread_paths(const std::string& path) {
     std::vector<std::string> paths;
-    for (const char* const name : {"standard_deviation", "percentile_5", "percentile_50", "percentile_95"}) {
+    for (const char* const name :
+         {"mean", "standard_deviation", "percentile_5", "percentile_50", "percentile_95"}) {
         paths.push_back("uncertainty." + path + "." + name);
     }
     return paths;

@@ -28,15 +28,58 @@ RowAnswer answer_row(const std::function<Settings()>& question, const Extras& ex
     return row;
 }
 
+namespace {
+
+/// Where an answer has what a key asks; empty where it has no place for it.
+std::string place_of(const KeyInfo& info) {
+    if (info.key == Key::diameter) return "input.radius";
+    if (info.key == Key::needle) return "input.needle.name";
+    if (info.path.empty()) return {};
+    const bool result =
+        info.key == Key::velocity || info.key == Key::pressure_gradient || info.key == Key::pressure;
+    return (result ? "nozzle." : "input.") + std::string(info.path);
+}
+
+}  // namespace
+
+void add_question(Json& refusal, const Settings& asked) {
+    for (const KeyInfo& info : key_table()) {
+        std::string place = place_of(info);
+        if (!asked.has(info.key) || place.empty()) continue;
+        std::replace(place.begin(), place.end(), '.', '/');
+        const SettingValue& value = asked.at(info.key);
+        const double number = info.key == Key::diameter ? 0.5 * value.number : value.number;
+        refusal[Json::json_pointer("/" + place)] = info.dimension ? Json(number) : Json(value.text);
+    }
+}
+
+namespace {
+
+/// A refusal has its error, and what it was asked where that is known; all else is no value.
+const Json* value_of_row(const RowAnswer& answer, const std::string& path) {
+    if (!answer.refused)
+        return path == "id" && !answer.object.contains("id") ? nullptr : value_if_any(answer.object, path);
+    try {
+        return &value_meant(answer.object, path);
+    } catch (const UsageError&) {
+        return nullptr;
+    }
+}
+
+/// Every row may have it, and none needs to: the name of a row, and why there is no answer.
+bool is_of_few(std::string_view path) {
+    return path == "id" || path == "error" || path.starts_with("error.");
+}
+
+}  // namespace
+
 ValuesLine values_line(const RowAnswer& answer, const std::vector<std::string>& paths) {
     ValuesLine line;
     for (const std::string& path : paths) {
         if (!line.text.empty()) line.text += '\t';
-        // Every row of a batch may have an id, and none needs one.
-        const bool none = path == "id" ? !answer.object.contains("id") : answer.refused;
-        const Json* const value = none ? nullptr : value_if_any(answer.object, path);
+        const Json* const value = value_of_row(answer, path);
         line.text += value != nullptr ? value_text(*value) : "null";
-        if (!answer.refused) line.absent.push_back(value == nullptr && path != "id");
+        if (!answer.refused) line.absent.push_back(value == nullptr && !is_of_few(path));
     }
     line.text += '\n';
     return line;
@@ -85,14 +128,24 @@ std::size_t cell_entries(const Settings& settings) {
     return positions.size() + static_cast<std::size_t>(centred);
 }
 
+namespace {
+
 std::size_t passage_entries(const Settings& settings) {
     if (steady_alone(settings)) return 0;
     return settings.has(Key::offset) ? settings.at(Key::offset).positions.size() : 4;
 }
 
-RowWriter::RowWriter(const RunOptions& options, std::size_t cell_entries, bool population,
-                     std::size_t passages)
-    : options_(options), columns_(cell_entries, population, passages, options.extras) {}
+}  // namespace
+
+AnswerShape shape_of(const Settings& settings) {
+    return {.cells = cell_entries(settings),
+            .population = settings.has(Key::population),
+            .passages = passage_entries(settings),
+            .thresholds = settings.has(Key::threshold) ? settings.at(Key::threshold).numbers.size() : 0};
+}
+
+RowWriter::RowWriter(const RunOptions& options, const AnswerShape& shape)
+    : options_(options), columns_(shape, options.extras) {}
 
 std::string RowWriter::head() const {
     if (!options_.paths.empty()) return {};

@@ -31,8 +31,11 @@ struct RowAnswer {
 RowAnswer answer_row(const std::function<Settings()>& question, const Extras& extras = {},
                      const std::function<Json(const Settings&)>& answer = {});
 
-/// The values at `paths`, one line, separated by tabs; `null` for what this answer lacks and others may have, and for
-/// a refusal, all but its `id`.
+/// Adds to a refusal what it was asked, where an answer has it: a velocity or a pressure in `nozzle`, all else in `input`.
+void add_question(Json& refusal, const Settings& asked);
+
+/// The values at `paths`, one line, separated by tabs; `null` for what this answer lacks and others may have, as a
+/// refusal lacks all but its `id`, its error and the swept values.
 struct ValuesLine {
     std::string text;
     std::vector<bool> absent;  ///< of each path, whether this answer has no such place; empty for a refusal
@@ -67,12 +70,12 @@ CsvDialect fresh_dialect();
 
 /// Entries of `cells` a question with these settings can have.
 std::size_t cell_entries(const Settings& settings);
-/// And of `passages`: one a position, none by the steady theory alone.
-std::size_t passage_entries(const Settings& settings);
+/// And of the other parts; `passages` one a position, none by the steady theory alone.
+AnswerShape shape_of(const Settings& settings);
 
 class RowWriter {
   public:
-    RowWriter(const RunOptions& options, std::size_t cell_entries, bool population, std::size_t passages);
+    RowWriter(const RunOptions& options, const AnswerShape& shape);
 
     [[nodiscard]] std::string head() const;
     [[nodiscard]] std::string csv_row(const Json& answer) const;

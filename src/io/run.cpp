@@ -82,7 +82,7 @@ void answer_one(const Settings& row, const RunOptions& options, const Sink& sink
         notice("--profile: as CSV or a workbook the answer is the profile alone; --format json has both");
         return sink(profile_csv(*prediction.profile));
     }
-    const RowWriter writer(options, cell_entries(row), row.has(Key::population), passage_entries(row));
+    const RowWriter writer(options, shape_of(row));
     sink(writer.head() + writer.csv_row(answer));
 }
 
@@ -163,8 +163,7 @@ RunResult run_sweep(const Sweep& sweep, const RunOptions& options, const Sink& s
         return result;
     }
 
-    RowWriter writer(options, cell_entries(sweep.fixed()), sweep.fixed().has(Key::population),
-                     passage_entries(sweep.fixed()));
+    const RowWriter writer(options, shape_of(sweep.fixed()));
     PathTally paths(options.paths);
     result = options.start;
     result.format = options.format;
@@ -176,9 +175,10 @@ RunResult run_sweep(const Sweep& sweep, const RunOptions& options, const Sink& s
         std::vector<RowText> texts(count);
         const double rows_begin = processor_time();
         for_each_index(count, options.jobs, [&](std::size_t i) {
-            const RowAnswer answer =
+            RowAnswer answer =
                 answer_row([&] { return sweep.row(begin + i); }, options.extras, options.answer);
             if (options.row_seen) options.row_seen(begin + i, answer.object);
+            if (answer.refused) add_question(answer.object, sweep.swept_values(begin + i));
             texts[i] = writer.written(answer);
         });
         result.row_time += processor_time() - rows_begin;

@@ -61,7 +61,7 @@ std::size_t Sweep::size() const {
     return rows;
 }
 
-Settings Sweep::row(std::size_t index) const {
+Settings Sweep::swept_values(std::size_t index) const {
     Settings own;
     for (auto axis = axes_.rbegin(); axis != axes_.rend(); ++axis) {
         const std::size_t i = index % axis->size();
@@ -72,7 +72,11 @@ Settings Sweep::row(std::size_t index) const {
             own.set_number(axis->key, axis->numbers[i], axis->origin);
         }
     }
-    return own.over(fixed_);
+    return own;
+}
+
+Settings Sweep::row(std::size_t index) const {
+    return swept_values(index).over(fixed_);
 }
 
 }  // namespace bioprint

@@ -21,6 +21,8 @@ class Sweep {
     /// Number of rows; 1 for a single question.
     [[nodiscard]] std::size_t size() const;
     [[nodiscard]] Settings row(std::size_t index) const;
+    /// The swept options alone, as they are in a row.
+    [[nodiscard]] Settings swept_values(std::size_t index) const;
     /// The options with one value.
     [[nodiscard]] const Settings& fixed() const { return fixed_; }
 

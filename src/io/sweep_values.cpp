@@ -51,7 +51,11 @@ SweepValues::SweepValues(const Sweep& sweep, const RunOptions& options)
       taken_(sweep.size(), 0) {
     if (!named_) quantities_ = default_quantities(sweep.fixed().has(Key::population));
     for (const std::string& path : options.paths) {
-        quantities_.push_back({.title = path, .dimension = dimension_at(path), .path = path});
+        const Dimension dimension = dimension_at(path);
+        // A unit without others to choose from, such as rad, stands in the name.
+        const std::string unit = dimension == Dimension::dimensionless ? unit_at(path) : std::string{};
+        quantities_.push_back(
+            {.title = unit.empty() ? path : path + " [" + unit + "]", .dimension = dimension, .path = path});
     }
     for (SweepQuantity& quantity : quantities_) {
         quantity.values.assign(sweep.size(), no_value);

@@ -105,6 +105,22 @@ TEST_CASE("csv batch: a path of the answer's input is a question where there is 
     CHECK(cell(outcome.out, 1, "nozzle.stress_max [Pa]") == "2000");
 }
 
+TEST_CASE("csv: what --threshold asks of a population has columns") {
+    const std::string share = "population.thresholds.0.share_above";
+    const std::string call = "-q --population --threshold 300Pa --threshold 1kPa --format csv";
+    const std::string one = run(call).out;
+    CHECK(cell(one, 1, "population.thresholds.0.stress [Pa]") == "300");
+    CHECK(cell(one, 1, "population.thresholds.1.stress [Pa]") == "1000");
+    CHECK(cell(one, 1, share) + "\n" == run("-q --population --threshold 300Pa --get " + share).out);
+    CHECK_FALSE(contains(run("-q --batch - --population", one).out, "thresholds"));  // an earlier run's
+    const std::string rows = "population,threshold [kPa]\nyes,0.3\nyes,\nyes,\"0.3,1\"\n";
+    const Outcome batch = run("-q --batch -", rows);
+    CHECK(cell(batch.out, 1, share) == cell(one, 1, share));
+    CHECK(cell(batch.out, 2, share).empty());
+    CHECK(batch.status == 6);
+    CHECK(contains(batch.out, "more thresholds than the first row has"));
+}
+
 TEST_CASE("csv batch: bytes that are no text are named and do not end the batch") {
     const Outcome outcome = run("--batch - -q --json", "alpha,radius [q\xFC]\n0,5\n0,\n");
     CHECK(outcome.status == 6);
@@ -202,6 +218,41 @@ TEST_CASE("json lines batch: an object a line in and out") {
     CHECK(json::parse(rows[1])["input"]["offsets"] == json::array({0.0, 16e-6}));
     CHECK(json::parse(rows[2])["error"]["option"] == "bogus");
     CHECK(contains(json::parse(rows[3])["error"]["message"], "line 4"));
+}
+
+TEST_CASE("json lines batch: the values of a refused line are its error and its id") {
+    const std::string call =
+        "--batch - --get id --get error.code --get error.message --get nozzle.stress_max";
+    const Outcome outcome =
+        run(call, "{\"radius\":\"5s\",\"id\":\"r1\"}\n{\"alpha\":0,\"radius\":\"50um\",\"id\":\"r2\"}\n");
+    CHECK(outcome.status == 6);
+    const auto rows = lines(outcome.out);
+    CHECK(rows[0].starts_with("r1\tusage\tradius: "));
+    CHECK(rows[0].ends_with("\tnull"));
+    CHECK(rows[1] == "r2\tnull\tnull\t2000");
+    CHECK_FALSE(contains(outcome.err, "none of the rows"));
+    CHECK_FALSE(contains(run(call, "{\"alpha\":0}\n").err, "none of the rows"));
+    CHECK(run("--batch - --get error.cod", "alpha\n0\n").status == 2);
+}
+
+TEST_CASE("sweep: a row without an answer keeps its swept values") {
+    const std::string sweep = "-q --model steady --alpha 0.5,1.3 --velocity 1m/s,2m/s --diameter 100um,120um";
+    const auto values =
+        lines(run(sweep + " --get input.ink.alpha --get nozzle.velocity_average --get input.radius "
+                          "--get nozzle.stress_max")
+                  .out);
+    CHECK(values[4] == "1.3\t1\t5e-05\tnull");
+    CHECK(values[7] == "1.3\t2\t6e-05\tnull");
+    const std::string csv = run(sweep + " --format csv").out;
+    CHECK(cell(csv, 8, "input.ink.alpha") == "1.3");
+    CHECK(cell(csv, 8, "nozzle.velocity_average [m/s]") == "2");
+    CHECK(cell(csv, 8, "input.radius [m]") == "6e-05");
+    CHECK(cell(csv, 8, "nozzle.stress_max [Pa]").empty());
+    const json row =
+        json::parse(lines(run("-q --needle 25G,27G --alpha 0.5,1.3 --velocity 1m/s --format jsonl").out)[3]);
+    CHECK(row["input"]["ink"]["alpha"] == 1.3);
+    CHECK(row["input"]["needle"]["name"] == "27G");
+    CHECK(row["error"]["code"] == "no_steady_flow");
 }
 
 TEST_CASE("json lines batch: a line's id comes back with its answer or its error") {

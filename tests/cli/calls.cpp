@@ -66,6 +66,29 @@ TEST_CASE("calls: no file is written twice or over one that is read") {
     CHECK(run("fit -q curve.csv --preset /dev/null").status == 0);
 }
 
+TEST_CASE("calls: a batch is replaced only by an answer that holds all of it") {
+    const std::string csv = "name,alpha\nmine,0.5\nother,0.75\n";
+    const std::string json = "{\"alpha\": 0.5}\n";
+    write_scratch("own.csv", csv);
+    write_scratch("own.jsonl", json);
+    for (const std::string call :
+         {"--batch own.csv -o own.csv --get nozzle.stress_max", "--batch own.csv -o ./own.csv --format jsonl",
+          "--batch own.csv -o own.csv --json", "--batch own.csv -o own.csv --shard 1/2",
+          "--batch own.csv -o own.csv --dry-run", "--batch own.jsonl -o own.jsonl",
+          "--batch own.jsonl -o own.jsonl --format csv"}) {
+        CAPTURE(call);
+        const Outcome outcome = run("-q --model steady " + call);
+        CHECK(outcome.status == 2);
+        CHECK(contains(outcome.err, "--output: would write over 'own."));
+        CHECK(contains(outcome.err, "the file of --batch; name another"));
+        CHECK(read_scratch("own.csv") == csv);
+        CHECK(read_scratch("own.jsonl") == json);
+    }
+    CHECK(run("-q --model steady --batch own.csv -o own.csv --format csv").status == 0);
+    CHECK(read_scratch("own.csv").starts_with("name,alpha,input.radius [m]"));
+    CHECK(run("-q --model steady --batch absent.csv -o absent.csv").status == 4);
+}
+
 TEST_CASE("command: without options it answers for the reference case") {
     const Outcome outcome = run("");
     CHECK(outcome.status == 0);

@@ -33,6 +33,12 @@ Sub Main
     PredictRange(sheet.getCellRangeByPosition(0, 0, 2, 3))
     sheet.getCellByPosition(0, 5).setValue(BioprintPredict("--radius 50um --flowrate 141uL/h", "nozzle.stress_max"))
     sheet.getCellByPosition(1, 5).setString(BioprintPredict("--radius 5s", "nozzle.stress_max"))
+    sheet.getCellByPosition(0, 9).setString("radius [um]")
+    sheet.getCellByPosition(0, 10).setValue(50)
+    sheet.getCellByPosition(0, 12).setValue(100)
+    sheet.getCellByPosition(0, 13).setString(" ")
+    sheet.getCellByPosition(0, 14).setValue(200)
+    PredictRange(sheet.getCellRangeByPosition(0, 8, 0, 15))
     Dim result(0) As New com.sun.star.beans.PropertyValue
     result(0).Name = "FilterName"
     result(0).Value = "Calc MS Excel 2007 XML"
@@ -56,6 +62,7 @@ class Spreadsheet(Case):
         settings.write_text(settings.read_text(encoding="utf-8").replace("</oor:items>", ours), encoding="utf-8")
         macro = (EXAMPLES / "libreoffice-macro.bas").read_text(encoding="utf-8")
         macro = macro.replace('"bioprint-predict"', f'"{PROGRAM}"')
+        macro = macro.replace('nozzle.pressure_gradient"', 'nozzle.pressure_gradient passages.0.peak.place"')
         modules = modules or {"Bioprint": macro, "Check": TEST_MODULE % (self.folder / f"{locale}.xlsx")}
         kind = "http://openoffice.org/2000/"
         for name, text in modules.items():
@@ -89,6 +96,7 @@ class Spreadsheet(Case):
         rows = []
         for row in sheet.iter(SHEET + "row"):
             cells = []
+            rows += [[] for _ in range(int(row.get("r")) - 1 - len(rows))]
             for cell in row:
                 # An empty cell may be left out, so the place is what the cell says of itself.
                 letters = re.match("[A-Z]+", cell.get("r")).group()
@@ -114,10 +122,18 @@ class Spreadsheet(Case):
                 wall = self.value("nozzle.stress_max", "--radius", radius, "--alpha", alpha)
                 self.assertAlmostEqual(row[3] / wall, 1.0, delta=1e-14)
             self.assertEqual(rows[2][3], "no answer")
-            cell = rows[-1]
+            self.assertEqual(rows[1][6], self.call("-q", "--get", "passages.0.peak.place").strip())
+            cell = rows[5]
             wall = self.value("nozzle.stress_max", "--radius", "50um", "--flowrate", "141uL/h")
             self.assertAlmostEqual(cell[0] / wall, 1.0, delta=1e-14)
             self.assertIn("no answer", cell[1])
+            # Nothing stands beside an empty row, and no answer beside another row's question.
+            self.assertEqual(rows[9][1], "nozzle.stress_max")
+            for row, radius in ((10, "50um"), (12, "100um"), (14, "200um")):
+                wall = self.value("nozzle.stress_max", "--radius", radius)
+                self.assertAlmostEqual(rows[row][1] / wall, 1.0, delta=1e-14)
+            for row in (8, 11, 13, *range(15, len(rows))):
+                self.assertFalse(any(rows[row][1:]), rows[row])
 
     def test_the_excel_module_has_no_error_of_syntax(self):
         """LibreOffice compiles VBA too; a module with an error in it never gets to its last procedure."""
