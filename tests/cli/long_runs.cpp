@@ -180,7 +180,7 @@ TEST_CASE("long run: a sweep of simulations is the single ones and its pieces an
     const Outcome whole = run(sweep + values);
     CHECK(whole.status == 6);  // no steady flow at 1.5
     CHECK(std::count(whole.out.begin(), whole.out.end(), '\n') == 3);
-    CHECK(whole.out.ends_with("null\tnull\n"));
+    CHECK(whole.out.ends_with("1.5\tnull\n"));
     const Outcome single =
         run(draft + "--offset 0 --alpha 0.5 --jobs 1 --get simulation.simulated.von_mises");
     CHECK(contains(whole.out, "0.5\t" + single.out));
