@@ -23,11 +23,23 @@ std::optional<double> value_for(const Check& check, const Json& answer, std::str
     }
 }
 
+/// Whether a path without a value leads into a cell that has its stress.
+bool of_answered_cell(const Json& answer, std::string_view path) {
+    const std::string real = json_path(answer, path);
+    if (!real.starts_with("cells.")) return false;
+    const std::string cell = real.substr(0, real.find('.', 6));
+    const Json* const stress = value_if_any(answer, cell + ".stress.von_mises");
+    return stress != nullptr && stress->is_number() && !path.ends_with("error");
+}
+
 }  // namespace
 
 CheckResult evaluate(const Check& check, const Json& answer, std::string_view option, bool strict) {
     CheckResult result{.value = value_for(check, answer, option, strict), .margin = std::nullopt};
-    if (!result.value) return result;
+    if (!result.value) {
+        result.foreign = of_answered_cell(answer, check.path);
+        return result;
+    }
     const double value = *result.value;
     switch (check.relation) {
         case Relation::less:

@@ -22,7 +22,8 @@ std::string distance(const Check& check, const CheckResult& result) {
     return text + ((margin < 0.0) == is_upper(check.relation) ? " above" : " below");
 }
 
-std::string no_value(const Check& check) {
+std::string no_value(const Check& check, const CheckResult& result) {
+    if (result.foreign) return "this value does not exist for a cell at that place, by its model";
     if (check.path == "nozzle.pressure_drop" || check.path == "nozzle.residence_time" ||
         check.path.starts_with("population.exposure")) {
         return "there is no value; give the nozzle's --length";
@@ -104,7 +105,7 @@ std::vector<CheckResult> unanswered(const std::vector<Check>& checks) {
 
 std::string sentence(const Check& check, const CheckResult& result) {
     const std::string begin = check.text + (result.holds ? " holds: " : " does not hold: ");
-    if (!result.value) return begin + no_value(check);
+    if (!result.value) return begin + no_value(check, result);
     std::string text = begin + lab_text(*result.value, check.dimension);
     if (result.margin) text += ", " + distance(check, result);
     return text;
@@ -145,7 +146,7 @@ void CheckTally::add(const std::vector<CheckResult>& results) {
         ++worst.failures;
         worst.valueless += result.value ? 0 : 1;
         const bool first_value = result.margin && !worst.result.margin;
-        if (first_value || (result.margin && *result.margin < *worst.result.margin)) {
+        if (worst.failures == 1 || first_value || (result.margin && *result.margin < *worst.result.margin)) {
             worst.result = result;
             worst.row = rows_;
         }

@@ -36,6 +36,7 @@ struct CheckResult {
     std::optional<double> value;
     std::optional<double> margin;  ///< how far the value is inside the limit, in its unit; negative: outside
     bool holds = false;
+    bool foreign = false;  ///< no value, because the cell there, which has an answer, has no such quantity
 };
 
 /// What a missing answer gives: nothing holds.

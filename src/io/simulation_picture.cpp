@@ -225,7 +225,7 @@ Picture simulation_picture(const PictureData& data, const Comparison& comparison
             .subtitle = picture_subtitle(data),
             .caption =
                 "The course of the simulation at the resolution asked for, and what the theory predicts; the "
-                "point is the value extrapolated from two resolutions, with its estimated numerical error.",
+                "point is the answer's value, with its estimated numerical error.",
             .rows = {{.panels = panels_of(data, comparison), .height = 440}}};
 }
 

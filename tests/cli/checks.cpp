@@ -43,6 +43,8 @@ TEST_CASE("check: a value that does not exist does not hold") {
     const Outcome outcome = run("--check 'nozzle.pressure_drop<3bar'");
     CHECK(outcome.status == 7);
     CHECK(contains(outcome.err, "there is no value; give the nozzle's --length"));
+    CHECK(contains(run("-q --check 'cells.1.angle<1'").err,
+                   "this value does not exist for a cell at that place"));
     CHECK(run("--check 'nozzle.pressure_drop<3bar' --length 1cm").status == 0);
 }
 

@@ -114,6 +114,10 @@ class Pictures(Case):
         self.assertIn("nozzle.pressure_gradient [MPa/m]", self.texts())
         self.assertIn("radius [µm]", self.texts())
 
+    def test_an_angle_has_its_unit_at_the_axis(self):
+        self.call("-q", "--velocity", "1:3:1mm/s", "--get", "cells.4.angle", "--plot", "p.svg")
+        self.assertIn("cells.4.angle [rad]", self.read("p.svg").decode())
+
     def test_names_are_points_and_rows_without_an_answer_gaps(self):
         self.call("-q", "--ink", "alginate-2.5,alginate-2-25C", "--plot", "p.svg")
         self.assertIn("alginate-2-25C", self.texts())
