@@ -2,6 +2,7 @@
 
 #include <exception>
 #include <limits>
+#include <utility>
 
 #include "bioprint/errors.hpp"
 #include "io/answer_path.hpp"
@@ -52,10 +53,11 @@ SweepValues::SweepValues(const Sweep& sweep, const RunOptions& options)
     if (!named_) quantities_ = default_quantities(sweep.fixed().has(Key::population));
     for (const std::string& path : options.paths) {
         const Dimension dimension = dimension_at(path);
+        std::string title = path;
         // A unit without others to choose from, such as rad, stands in the name.
         const std::string unit = dimension == Dimension::dimensionless ? unit_at(path) : std::string{};
-        quantities_.push_back(
-            {.title = unit.empty() ? path : path + " [" + unit + "]", .dimension = dimension, .path = path});
+        if (!unit.empty()) title.append(" [").append(unit).append("]");
+        quantities_.push_back({.title = std::move(title), .dimension = dimension, .path = path});
     }
     for (SweepQuantity& quantity : quantities_) {
         quantity.values.assign(sweep.size(), no_value);
